@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+#include <span>
+
+#include "engine/material/capture.h"
+#include "engine/material/irregularities.h"
+#include "engine/material/parameter.h"
+#include "engine/material/surface.h"
+
+namespace patina {
+
+/// A procedural material: maps parameters and irregularities z to a surface. Implementations are
+/// stateless after construction and safe to call from several threads.
+class Material {
+ public:
+  virtual ~Material() = default;
+
+  virtual const ParameterTable& table() const = 0;
+
+  /// @param parameters  [table().continuous.size()] float32, in parameter units; gradients flow through it
+  /// @param discrete    a level for each of table().discrete
+  /// @param z           the irregularities; the same z gives the same surface at any resolution
+  /// @param resolution  n, pixels a side
+  virtual Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,
+                          const Capture& capture, int resolution) const = 0;
+};
+
+}  // namespace patina

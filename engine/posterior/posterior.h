@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "engine/image.h"
+#include "engine/material/capture.h"
+#include "engine/material/parameter.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+/// What a posterior is made of, beside the photo.
+struct PosteriorSettings {
+  std::string material = "bump";
+  Capture capture;
+  int resolution = 256;           ///< pixels a side at which renders are compared
+  std::string summary = "gram";
+  std::filesystem::path network;  ///< empty: the bundled one
+  std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
+  double gram_sigma = 0.05;       ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
+  double mean_sigma = 0.02;       ///< sd of a regional mean's error, in display units (5 of 255 levels)
+  std::map<std::string, double> fixed;            ///< parameters held at a value (discrete ones: a level index)
+  std::map<std::string, TruncatedNormal> priors;  ///< priors that replace the material's own
+};
+
+/// The posterior of a material's parameters given one photo (paper equation 6), in prior-CDF coordinates:
+/// u = Phi^-1(F_prior(theta)), so that the prior is exactly N(0, I) and no Jacobian remains
+///   log p(u) = -|u|^2 / 2 - 1/2 sum_k ((S(render(theta(u), z)) - S(photo))_k / sigma_k)^2
+class Posterior final : public LogDensity {
+ public:
+  /// @param photo  square, 3 channels, sRGB in [0,1]; resampled to settings.resolution
+  /// @throws UserError for unknown names, impossible priors, fixed values out of range
+  Posterior(const PosteriorSettings& settings, const Image& photo);
+  ~Posterior() override;
+
+  Eigen::Index dimension() const override;
+  std::vector<int> discrete_levels() const override;
+  Evaluation evaluate(const Position& position) const override;
+
+  /// All parameters, with the priors in force; fixed ones included.
+  const ParameterTable& table() const;
+
+  /// Parameter values in units, fixed ones filled in, from sampling coordinates.
+  ParameterValues values(const Position& position) const;
+
+  /// The inverse of values(); fixed parameters are ignored.
+  Position position(const ParameterValues& values) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace patina

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/material/capture.h"
+#include "engine/material/maps.h"
+#include "engine/material/parameter.h"
+
+namespace patina {
+
+struct PreviewRequest {
+  std::string material;
+  std::uint64_t z_seed = 1;
+  Capture capture;
+  ParameterValues values;
+  int resolution = 512;
+};
+
+struct Preview {
+  std::uint64_t ticket = 0;  ///< of the request it answers
+  PreviewRequest request;
+  MaterialMaps maps;
+};
+
+/// Makes maps on a thread of its own; the newest request wins, older ones not yet begun are dropped.
+class PreviewWorker {
+ public:
+  explicit PreviewWorker(std::function<void()> wake = {});
+  ~PreviewWorker();
+
+  std::uint64_t request(PreviewRequest request);  ///< returns its ticket; tickets grow
+  std::optional<Preview> take();                  ///< the newest finished preview, once
+  std::string last_error() const;                 ///< one sentence, empty if the last request succeeded
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace patina

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "engine/io/photo.h"
+#include "engine/run/draw_source.h"
+
+namespace patina {
+
+/// Starts sampling on threads of its own and writes the run directory. Destroying it stops the chains within
+/// one evaluation and joins; what was drawn is on disk.
+/// @param wake   called from sampler threads when there is something new to show; may be empty
+/// @throws UserError before anything is started: unknown names, impossible settings, a directory that holds a
+///         run already or cannot be written
+std::unique_ptr<DrawSource> start_run(const RunSettings& settings, const Photo& photo,
+                                      const std::filesystem::path& directory, std::function<void()> wake = {});
+
+/// Opens a run directory to read, also one that is still being written: take_draws() yields new whole lines.
+/// @throws UserError for a directory that is empty, half written beyond use, or made by a newer version
+std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory);
+
+}  // namespace patina

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace patina {
+
+/// A point of a mixed space: continuous coordinates without bounds, and levels of discrete ones.
+struct Position {
+  Eigen::VectorXd continuous;
+  Eigen::VectorXi discrete;
+};
+
+/// Value and gradient (with respect to the continuous coordinates) of a log density.
+struct Evaluation {
+  double log_density = 0;
+  Eigen::VectorXd gradient;
+};
+
+/// The target of every kernel. Contract: continuous coordinates are unconstrained and the log density
+/// includes the Jacobian of whatever map leads there; constants are dropped; outside the support, or where
+/// anything is not finite, the value is -infinity and the gradient zero. It throws only when the run
+/// cannot go on (out of memory, bad device). evaluate() is safe to call from several threads.
+class LogDensity {
+ public:
+  virtual ~LogDensity() = default;
+
+  virtual Eigen::Index dimension() const = 0;
+
+  /// The number of levels of each discrete coordinate; empty if there are none.
+  virtual std::vector<int> discrete_levels() const { return {}; }
+
+  virtual Evaluation evaluate(const Position& position) const = 0;
+};
+
+}  // namespace patina

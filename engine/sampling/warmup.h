@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "engine/sampling/chain_state.h"
+#include "engine/sampling/step_size_adaptation.h"
+
+namespace patina {
+
+/// One stretch of warm-up. At its end, if adapts_metric, all chains meet and share a new metric.
+struct WarmupWindow {
+  int begin = 0;
+  int end = 0;
+  bool adapts_metric = false;
+};
+
+/// Stan's shape: a first window for the step size alone, doubling windows that also adapt the metric, a last
+/// one for the step size. Covers [0, iterations) without gaps.
+std::vector<WarmupWindow> warmup_schedule(int iterations);
+
+/// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
+class ChainWarmup {
+ public:
+  ChainWarmup(KernelSettings start, double target_acceptance);
+
+  const KernelSettings& settings() const { return settings_; }
+  void observe(const ChainState& state, const TransitionInfo& info);
+
+  /// Positions seen since the last call (one per column); clears them.
+  Eigen::MatrixXd take_positions();
+
+  /// Installs the pooled metric and restarts the step-size search from the current step.
+  void set_metric(std::shared_ptr<const Metric> metric);
+
+  /// The settings to sample with: the averaged step size, the last metric.
+  KernelSettings frozen() const;
+
+ private:
+  KernelSettings settings_;
+  StepSizeAdaptation step_size_;
+  std::vector<Eigen::VectorXd> positions_;
+};
+
+/// Covariance pooled over chains: within-chain covariances averaged (between-chain spread of unconverged
+/// chains left out), shrunk as Stan does: n/(n+5) S + 1e-3 5/(n+5) I. @param chains one matrix per chain,
+/// a position per column
+Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains);
+
+}  // namespace patina
