@@ -17,13 +17,13 @@ namespace patina {
 struct PosteriorSettings {
   std::string material = "bump";
   Capture capture;
-  int resolution = 256;           ///< pixels a side at which renders are compared
+  int resolution = 256;  ///< pixels a side at which renders are compared
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
   double gram_sigma = 0.05;       ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
   double mean_sigma = 0.02;       ///< sd of a regional mean's error, in display units (5 of 255 levels)
-  std::map<std::string, double> fixed;            ///< parameters held at a value (discrete ones: a level index)
+  std::map<std::string, double> fixed;  ///< parameters held at a value (discrete ones: a level index)
   std::map<std::string, TruncatedNormal> priors;  ///< priors that replace the material's own
 };
 

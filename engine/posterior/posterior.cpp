@@ -1,0 +1,108 @@
+#include "engine/posterior/posterior.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/core/Tensor.h>
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/from_blob.h>
+#include <ATen/ops/tensor.h>
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/io/photo.h"
+#include "engine/material/material.h"
+#include "engine/material/registry.h"
+#include "engine/material/shading.h"
+#include "engine/posterior/error_model.h"
+#include "engine/posterior/parameter_space.h"
+#include "engine/summary/summary.h"
+
+namespace patina {
+namespace {
+
+/// [3, n, n] float32 from a square RGB image.
+at::Tensor to_tensor(const Image& image) {
+  assert(image.channels == 3 && image.width == image.height);
+  auto* pixels = const_cast<float*>(image.pixels.data());
+  return at::from_blob(pixels, {image.height, image.width, 3}, at::kFloat).permute({2, 0, 1}).contiguous();
+}
+
+Evaluation outside_support(Eigen::Index dimension) {
+  return {-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(dimension)};
+}
+
+}  // namespace
+
+struct Posterior::Parts {
+  PosteriorSettings settings;
+  std::shared_ptr<const Material> material;
+  ParameterSpace space;
+  Irregularities z;
+  std::shared_ptr<const Summary> summary;
+  at::Tensor photo_summary;
+  at::Tensor inverse_sigma;
+
+  Parts(const PosteriorSettings& s, const Image& photo)
+      : settings(s),
+        material(make_material(s.material)),
+        space(material->table(), s.priors, s.fixed),
+        z(s.z_seed),
+        summary(make_summary(s.summary, s.network)) {
+    if (s.resolution < summary->minimum_resolution())
+      throw UserError("The resolution " + std::to_string(s.resolution) +
+                      " is too small for this summary: use " + std::to_string(summary->minimum_resolution()) +
+                      " or more.");
+    const at::NoGradGuard no_grad;
+    photo_summary = (*summary)(to_tensor(resized(photo, s.resolution)));
+    inverse_sigma = inverse_sigmas(photo_summary, summary->blocks(), s.gram_sigma, s.mean_sigma);
+  }
+
+  /// Half the chi-square of the render's summary, a double scalar with its graph.
+  at::Tensor misfit(const at::Tensor& parameters, const std::vector<int>& discrete) const {
+    const Surface surface = material->surface(parameters, discrete, z, settings.capture, settings.resolution);
+    const at::Tensor image =
+        display(shade(surface, settings.capture, settings.resolution), DisplayCurve::srgb);
+    const at::Tensor residual = ((*summary)(image)-photo_summary) * inverse_sigma;
+    return residual.to(at::kDouble).square().sum() * 0.5;
+  }
+};
+
+Posterior::Posterior(const PosteriorSettings& settings, const Image& photo)
+    : parts_(std::make_unique<Parts>(settings, photo)) {}
+
+Posterior::~Posterior() = default;
+
+Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
+
+std::vector<int> Posterior::discrete_levels() const { return parts_->space.discrete_levels(); }
+
+const ParameterTable& Posterior::table() const { return parts_->space.table(); }
+
+ParameterValues Posterior::values(const Position& position) const { return parts_->space.values(position); }
+
+Position Posterior::position(const ParameterValues& values) const { return parts_->space.position(values); }
+
+Evaluation Posterior::evaluate(const Position& position) const {
+  if (!position.continuous.allFinite()) return outside_support(dimension());
+  const ParameterValues values = parts_->space.values(position);
+  at::Tensor parameters = at::tensor(values.continuous, at::kFloat);
+  parameters.set_requires_grad(true);
+
+  const at::Tensor misfit = parts_->misfit(parameters, values.discrete);
+  misfit.backward();
+  const at::Tensor misfit_gradient = parameters.grad().to(at::kDouble).contiguous();
+
+  const Eigen::Map<const Eigen::VectorXd> by_value(misfit_gradient.data_ptr<double>(),
+                                                   misfit_gradient.size(0));
+  Evaluation evaluation;
+  evaluation.log_density = -0.5 * position.continuous.squaredNorm() - misfit.item<double>();
+  evaluation.gradient = -position.continuous - parts_->space.pull_back(position, by_value);
+  if (!std::isfinite(evaluation.log_density) || !evaluation.gradient.allFinite())
+    return outside_support(dimension());
+  return evaluation;
+}
+
+}  // namespace patina

@@ -1,0 +1,157 @@
+#include "engine/posterior/posterior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/error.h"
+#include "engine/material/registry.h"
+#include "engine/material/renderer.h"
+#include "engine/sampling/rng.h"
+
+namespace patina {
+namespace {
+
+constexpr int kResolution = 64;
+
+Image synthetic_photo(const std::string& material, std::uint64_t z_seed) {
+  const Renderer renderer(material, z_seed, Capture{});
+  return renderer.render(prior_location(renderer.table()), kResolution);
+}
+
+PosteriorSettings settings_for(const std::string& material) {
+  PosteriorSettings settings;
+  settings.material = material;
+  settings.resolution = kResolution;
+  return settings;
+}
+
+Position at_prior_draw(const Posterior& posterior, Rng& rng, double spread) {
+  Position position;
+  position.continuous = spread * rng.normals(posterior.dimension());
+  const auto levels = posterior.discrete_levels();
+  position.discrete.resize(static_cast<Eigen::Index>(levels.size()));
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    position.discrete[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
+  return position;
+}
+
+class EveryMaterial : public testing::TestWithParam<std::string> {};
+
+// The whole chain at once: transform, material, shading, display curve, network, Gram, error model. The
+// render is float32 and has kinks (clamps), so a coordinate may disagree now and then; a wrong gradient
+// disagrees always.
+TEST_P(EveryMaterial, LogDensityGradientAgreesWithFiniteDifferences) {
+  const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
+  Rng rng(7);
+  std::vector<int> agreements(static_cast<std::size_t>(posterior.dimension()));
+  constexpr int kPoints = 5;
+  for (int point = 0; point < kPoints; ++point) {
+    const Position centre = at_prior_draw(posterior, rng, 0.7);
+    const Evaluation evaluation = posterior.evaluate(centre);
+    ASSERT_TRUE(std::isfinite(evaluation.log_density));
+    const double scale = 1 + evaluation.gradient.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < posterior.dimension(); ++i) {
+      const double h = 3e-3;
+      Position up = centre, down = centre;
+      up.continuous[i] += h, down.continuous[i] -= h;
+      const double difference =
+          (posterior.evaluate(up).log_density - posterior.evaluate(down).log_density) / (2 * h);
+      const double error = std::abs(difference - evaluation.gradient[i]);
+      agreements[static_cast<std::size_t>(i)] += error < 0.03 * std::abs(difference) + 0.003 * scale;
+    }
+  }
+  std::vector<std::string> free;
+  for (const Parameter& parameter : posterior.table().continuous) free.push_back(parameter.name);
+  for (std::size_t i = 0; i < agreements.size(); ++i) EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+}
+
+TEST_P(EveryMaterial, RecoversItsOwnRenderExactlyAtTheTruth) {
+  // Same z, same parameters: the misfit vanishes and the prior alone is left.
+  PosteriorSettings settings = settings_for(GetParam());
+  settings.z_seed = 5;
+  const Posterior posterior(settings, synthetic_photo(GetParam(), 5));
+  const Position truth = posterior.position(prior_location(posterior.table()));
+  EXPECT_NEAR(posterior.evaluate(truth).log_density, -0.5 * truth.continuous.squaredNorm(), 1e-3);
+}
+
+TEST_P(EveryMaterial, IsFiniteAtTheCornersOfTheBox) {
+  const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
+  Rng rng(11);
+  for (int corner = 0; corner < 12; ++corner) {
+    Position position = at_prior_draw(posterior, rng, 1);
+    for (double& u : position.continuous)
+      u = corner == 0 ? -8 : corner == 1 ? 8 : (rng.uniform() < 0.5 ? -8 : 8);
+    const Evaluation evaluation = posterior.evaluate(position);
+    EXPECT_TRUE(std::isfinite(evaluation.log_density)) << "corner " << corner;
+    EXPECT_TRUE(evaluation.gradient.allFinite());
+  }
+}
+
+TEST_P(EveryMaterial, ValuesAndPositionsAreInverse) {
+  const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
+  Rng rng(3);
+  const Position position = at_prior_draw(posterior, rng, 1);
+  const Position back = posterior.position(posterior.values(position));
+  EXPECT_LT((back.continuous - position.continuous).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_EQ(back.discrete, position.discrete);
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, testing::ValuesIn(material_names()),
+                         [](const auto& info) { return info.param; });
+
+TEST(Posterior, FixedParametersLeaveTheSpaceAndKeepTheirValue) {
+  PosteriorSettings settings = settings_for("leather");
+  settings.fixed = {{"rough", 0.5}, {"cells", 1}};
+  const Posterior posterior(settings, synthetic_photo("leather", 2));
+  const Posterior free(settings_for("leather"), synthetic_photo("leather", 2));
+  EXPECT_EQ(posterior.dimension(), free.dimension() - 1);
+  EXPECT_EQ(posterior.discrete_levels().size(), free.discrete_levels().size() - 1);
+  Rng rng(1);
+  const ParameterValues values = posterior.values(at_prior_draw(posterior, rng, 1));
+  EXPECT_DOUBLE_EQ(values.continuous[*posterior.table().find_continuous("rough")], 0.5);
+  EXPECT_EQ(values.discrete[*posterior.table().find_discrete("cells")], 1);
+}
+
+TEST(Posterior, AReplacedPriorBoundsTheValues) {
+  PosteriorSettings settings = settings_for("bump");
+  settings.priors = {{"rough", {0.3, 0.05, 0.25, 0.35}}};
+  const Posterior posterior(settings, synthetic_photo("bump", 2));
+  const std::size_t rough = *posterior.table().find_continuous("rough");
+  Rng rng(4);
+  for (int i = 0; i < 100; ++i) {
+    const double value = posterior.values(at_prior_draw(posterior, rng, 3)).continuous[rough];
+    EXPECT_GE(value, 0.25);
+    EXPECT_LE(value, 0.35);
+  }
+}
+
+TEST(Posterior, APositionThatIsNotFiniteIsOutsideTheSupport) {
+  const Posterior posterior(settings_for("bump"), synthetic_photo("bump", 2));
+  Position position{Eigen::VectorXd::Zero(posterior.dimension()), Eigen::VectorXi(0)};
+  position.continuous[2] = std::numeric_limits<double>::quiet_NaN();
+  const Evaluation evaluation = posterior.evaluate(position);
+  EXPECT_EQ(evaluation.log_density, -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(evaluation.gradient.isZero());
+}
+
+TEST(Posterior, UserMistakesAreSentences) {
+  const Image photo = synthetic_photo("bump", 2);
+  const auto refuses = [&](auto&& change) {
+    PosteriorSettings settings = settings_for("bump");
+    change(settings);
+    EXPECT_THROW(Posterior(settings, photo), UserError);
+  };
+  refuses([](PosteriorSettings& s) { s.material = "velvet"; });
+  refuses([](PosteriorSettings& s) { s.summary = "vibes"; });
+  refuses([](PosteriorSettings& s) { s.network = "/nowhere/net.safetensors"; });
+  refuses([](PosteriorSettings& s) { s.resolution = 2; });
+  refuses([](PosteriorSettings& s) { s.fixed = {{"nosuch", 1}}; });
+  refuses([](PosteriorSettings& s) { s.fixed = {{"rough", 7}}; });
+  refuses([](PosteriorSettings& s) { s.priors = {{"nosuch", {0, 1, 0, 1}}}; });
+  refuses([](PosteriorSettings& s) { s.priors = {{"rough", {0, -1, 0, 1}}}; });
+}
+
+}  // namespace
+}  // namespace patina
