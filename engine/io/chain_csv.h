@@ -10,12 +10,12 @@ namespace patina {
 
 /// What a chain file says about itself; the dialect is CmdStan's.
 struct ChainCsvHeader {
-  std::string model;                ///< "patina_leather"
-  int id = 1;                       ///< chain number from 1
+  std::string model;  ///< "patina_leather"
+  int id = 1;         ///< chain number from 1
   std::uint64_t seed = 0;
   int num_warmup = 0;
-  int num_samples = 0;              ///< asked for; patched in place when the chain is closed with fewer
-  std::vector<std::string> names;   ///< parameter columns
+  int num_samples = 0;             ///< asked for; patched in place when the chain is closed with fewer
+  std::vector<std::string> names;  ///< parameter columns
 };
 
 /// One row.
@@ -24,11 +24,12 @@ struct ChainCsvRow {
   int n_leapfrog = 1;
   bool divergent = false;
   double energy = 0;
-  std::vector<double> values;       ///< one per name
+  std::vector<double> values;  ///< one per name
 };
 
 /// Appends whole lines, each flushed to the operating system: a kill -9 loses at most the line in flight.
-/// Numbers are written so that they read back exactly. @throws UserError where writing fails ("the disk is full ...")
+/// Numbers are written so that they read back exactly. @throws UserError where writing fails ("the disk is
+/// full ...")
 class ChainCsvWriter {
  public:
   ChainCsvWriter(const std::filesystem::path& file, const ChainCsvHeader& header);
@@ -61,7 +62,7 @@ class ChainCsvReader {
   std::vector<Row> read_new();
   const ChainCsvHeader& header() const;  ///< valid once a header line has been read
   bool has_header() const;
-  bool closed() const;                   ///< the footer has been read
+  bool closed() const;  ///< the footer has been read
 
  private:
   struct State;

@@ -30,13 +30,6 @@ class Descriptor {
   int number_;
 };
 
-[[noreturn]] void refuse_write(const std::filesystem::path& file, int error) {
-  if (error == ENOSPC || error == EDQUOT || error == EFBIG)
-    throw UserError("The disk is full: " + file.string() +
-                    " could not be written, so make room and try again.");
-  throw UserError("Cannot write " + file.string() + " (" + std::strerror(error) + "): choose another place.");
-}
-
 void write_all(int descriptor, std::string_view bytes, const std::filesystem::path& file) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -47,6 +40,13 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
 }
 
 }  // namespace
+
+void refuse_write(const std::filesystem::path& file, int error) {
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+    throw UserError("The disk is full: " + file.string() +
+                    " could not be written, so make room and try again.");
+  throw UserError("Cannot write " + file.string() + " (" + std::strerror(error) + "): choose another place.");
+}
 
 std::string read_file(const std::filesystem::path& file, std::size_t limit_bytes) {
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

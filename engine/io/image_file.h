@@ -8,8 +8,8 @@ namespace patina {
 
 enum class PixelDepth { u8, u16, f16, f32 };
 
-/// Writes PNG, JPEG, TIFF or EXR by extension; the values are written as they are (display values in [0,1], or
-/// floats for EXR). Atomically: a reader sees the old file or the whole new one.
+/// Writes PNG, JPEG, TIFF or EXR by extension; the values are written as they are (display values in [0,1],
+/// or floats for EXR). Atomically: a reader sees the old file or the whole new one.
 /// @throws UserError if the file cannot be written or the extension is unknown
 void write_image(const std::filesystem::path& file, const Image& image, PixelDepth depth = PixelDepth::u8);
 

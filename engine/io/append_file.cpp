@@ -1,0 +1,42 @@
+#include "engine/io/append_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+
+#include "engine/io/file.h"
+
+namespace patina {
+
+AppendFile::AppendFile(const std::filesystem::path& file)
+    : file_(file), descriptor_(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) refuse_write(file_, errno);
+}
+
+AppendFile::~AppendFile() { ::close(descriptor_); }
+
+void AppendFile::append(std::string_view piece) {
+  std::int64_t end = size_;
+  while (!piece.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, piece.data(), piece.size(), end);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int error = errno;
+      [[maybe_unused]] const int cut = ::ftruncate(descriptor_, size_);
+      refuse_write(file_, error);
+    }
+    end += written;
+    piece.remove_prefix(static_cast<std::size_t>(written));
+  }
+  size_ = end;
+}
+
+void AppendFile::patch(std::int64_t offset, std::string_view piece) {
+  assert(offset >= 0 && offset + static_cast<std::int64_t>(piece.size()) <= size_);
+  if (::pwrite(descriptor_, piece.data(), piece.size(), offset) != static_cast<ssize_t>(piece.size()))
+    refuse_write(file_, errno);
+}
+
+}  // namespace patina
