@@ -20,9 +20,10 @@ struct TransitionInfo {
   MoveKind move = MoveKind::continuous;
   double accept_probability = 0;
   bool accepted = false;
-  bool divergent = false;  ///< the proposal's log density was not finite, or fell by more than 1000
+  bool divergent = false;  ///< the proposal's log density was not finite, or fell by more than 1000 in a
+                           ///< continuous move
   int evaluations = 0;
-  double energy = 0;       ///< -log density of the state after the transition
+  double energy = 0;  ///< -log density of the state after the transition
 };
 
 /// All that adaptation may change; frozen after warm-up. The metric is shared, never mutated.

@@ -11,11 +11,13 @@ namespace patina {
 /// Metropolis-adjusted Langevin (Roberts & Tweedie 1996), preconditioned by the metric.
 std::unique_ptr<Kernel> make_mala();
 
-/// Proposes a level for every discrete coordinate, uniform over the joint table (paper, Algorithm 1, DiscreteSample).
+/// Proposes a level for every discrete coordinate, uniform over the joint table (paper, Algorithm 1,
+/// DiscreteSample).
 std::unique_ptr<Kernel> make_discrete_move();
 
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
-std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete, double alpha);
+std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete,
+                                     double alpha);
 
 std::vector<std::string> kernel_names();
 

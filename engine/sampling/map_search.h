@@ -11,9 +11,9 @@
 namespace patina {
 
 struct MapSearchSettings {
-  int prior_draws = 64;      ///< candidates N(0, I), discrete levels uniform, on the coarsest target
-  int descents = 8;          ///< best candidates that are climbed from on the coarsest target
-  int finalists = 2;         ///< best of those that are climbed from on every finer target
+  int prior_draws = 64;  ///< candidates N(0, I), discrete levels uniform, on the coarsest target
+  int descents = 8;      ///< best candidates that are climbed from on the coarsest target
+  int finalists = 2;     ///< best of those that are climbed from on every finer target
   int coarse_iterations = 40;
   int fine_iterations = 40;
   std::function<bool()> stop_requested;
@@ -27,7 +27,8 @@ struct MapSearchResult {
 
 /// A global search for the posterior's mode, cheap first: targets are the same posterior from coarse to fine.
 /// Discrete coordinates are swept (every level of each, others held) around each finalist.
-MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng, const MapSearchSettings& settings = {});
+MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng,
+                           const MapSearchSettings& settings = {});
 
 /// Laplace's approximation at a mode: the inverse of the negative Hessian (central differences of the
 /// gradient, symmetrised), eigenvalues of the Hessian floored at 0.25: a prior N(0, I) alone gives 1.

@@ -9,9 +9,9 @@ namespace patina {
 
 struct OptimizerSettings {
   int max_iterations = 100;
-  double gradient_tolerance = 1e-3;       ///< stop when |gradient| < tolerance * max(1, |x|)
-  double value_tolerance = 1e-5;          ///< stop when the value improved by less, relatively, over five iterations
-  std::function<bool()> stop_requested;   ///< asked once per iteration; empty: never
+  double gradient_tolerance = 1e-3;  ///< stop when |gradient| < tolerance * max(1, |x|)
+  double value_tolerance = 1e-5;  ///< stop when the value improved by less, relatively, over five iterations
+  std::function<bool()> stop_requested;  ///< asked once per iteration; empty: never
 };
 
 struct OptimizerResult {
@@ -23,6 +23,7 @@ struct OptimizerResult {
 
 /// Climbs to a local maximum over the continuous coordinates, discrete ones held: L-BFGS with a line search
 /// for the strong Wolfe conditions (liblbfgs). Never returns a point worse than the start.
-OptimizerResult maximize(const LogDensity& target, const Position& start, const OptimizerSettings& settings = {});
+OptimizerResult maximize(const LogDensity& target, const Position& start,
+                         const OptimizerSettings& settings = {});
 
 }  // namespace patina

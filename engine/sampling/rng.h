@@ -18,12 +18,12 @@ class Rng {
   static constexpr result_type max() { return 0xffffffffu; }
   result_type operator()();
 
-  double uniform();                              ///< (0, 1)
-  double normal();                               ///< N(0, 1)
-  int below(int n);                              ///< uniform on 0 ... n-1
+  double uniform();  ///< (0, 1)
+  double normal();   ///< N(0, 1)
+  int below(int n);  ///< uniform on 0 ... n-1
   Eigen::VectorXd normals(Eigen::Index n);
 
-  std::uint64_t position() const;                ///< how many 32-bit words have been taken
+  std::uint64_t position() const;  ///< how many 32-bit words have been taken
   void seek(std::uint64_t position);
 
  private:

@@ -17,21 +17,26 @@ struct WarmupWindow {
 };
 
 /// Stan's shape: a first window for the step size alone, doubling windows that also adapt the metric, a last
-/// one for the step size. Covers [0, iterations) without gaps.
+/// one for the step size. Covers [0, iterations) without gaps; below 20 iterations one window for the step
+/// size alone, for 0 none. As in the Stan reference manual, section "Automatic parameter tuning".
 std::vector<WarmupWindow> warmup_schedule(int iterations);
 
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {
  public:
+  /// @param target_acceptance  of the kernel; 0: there is no step size to adapt
   ChainWarmup(KernelSettings start, double target_acceptance);
 
   const KernelSettings& settings() const { return settings_; }
+
+  /// Once after each transition. Step-size adaptation looks at continuous moves only.
   void observe(const ChainState& state, const TransitionInfo& info);
 
-  /// Positions seen since the last call (one per column); clears them.
+  /// Positions seen since the last call (dimension x transitions); clears them. To be called at the end of
+  /// every window, so that those of a window that does not adapt the metric are left out.
   Eigen::MatrixXd take_positions();
 
-  /// Installs the pooled metric and restarts the step-size search from the current step.
+  /// Installs the pooled metric and restarts the step-size search from the averaged step.
   void set_metric(std::shared_ptr<const Metric> metric);
 
   /// The settings to sample with: the averaged step size, the last metric.
@@ -40,6 +45,7 @@ class ChainWarmup {
  private:
   KernelSettings settings_;
   StepSizeAdaptation step_size_;
+  bool adapts_step_size_;
   std::vector<Eigen::VectorXd> positions_;
 };
 

@@ -1,0 +1,44 @@
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+#include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/map_search.h"
+
+namespace patina {
+namespace {
+
+// In coordinates where the prior is N(0, I), this is below the posterior's sd in all but the stiffest
+// directions, and far enough for the rounding of float32 gradients to drown in the difference.
+constexpr double kStep = 1e-2;
+constexpr double kSmallestCurvature = 0.25;
+
+/// d grad / d x_i; one-sided where the other side has no density, zero where neither side has.
+Eigen::VectorXd hessian_column(const LogDensity& target, const Position& mode, const Evaluation& at_mode,
+                               Eigen::Index i) {
+  const auto displaced = [&](double by) {
+    Position position = mode;
+    position.continuous[i] += by;
+    return evaluate_finite(target, position);
+  };
+  const Evaluation above = displaced(kStep), below = displaced(-kStep);
+  const bool has_above = std::isfinite(above.log_density), has_below = std::isfinite(below.log_density);
+  const Eigen::VectorXd& right = has_above ? above.gradient : at_mode.gradient;
+  const Eigen::VectorXd& left = has_below ? below.gradient : at_mode.gradient;
+  return (right - left) / (has_above && has_below ? 2 * kStep : kStep);
+}
+
+}  // namespace
+
+Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode) {
+  const Eigen::Index n = mode.continuous.size();
+  const Evaluation at_mode = evaluate_finite(target, mode);
+  Eigen::MatrixXd hessian(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) hessian.col(i) = hessian_column(target, mode, at_mode, i);
+  const Eigen::MatrixXd curvature = -(hessian + hessian.transpose()) / 2;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(curvature);
+  const Eigen::VectorXd variances = spectrum.eigenvalues().cwiseMax(kSmallestCurvature).cwiseInverse();
+  return spectrum.eigenvectors() * variances.asDiagonal() * spectrum.eigenvectors().transpose();
+}
+
+}  // namespace patina

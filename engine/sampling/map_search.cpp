@@ -1,0 +1,160 @@
+#include "engine/sampling/map_search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "engine/sampling/finite_evaluation.h"
+
+namespace patina {
+namespace {
+
+constexpr double kSameBasin = 0.3;  // prior standard deviations
+constexpr double kCostRatio = 4;    // of an evaluation on the next finer target: twice the pixels a side
+
+bool same_basin(const Position& a, const Position& b) {
+  return a.discrete == b.discrete && (a.continuous - b.continuous).norm() <= kSameBasin;
+}
+
+void sort_best_first(std::vector<OptimizerResult>& results) {
+  std::stable_sort(results.begin(), results.end(), [](const OptimizerResult& a, const OptimizerResult& b) {
+    return a.evaluation.log_density > b.evaluation.log_density;
+  });
+}
+
+/// The best `count` that are not in the basin of a better one; `results` sorted.
+std::vector<OptimizerResult> distinct(const std::vector<OptimizerResult>& results, int count) {
+  std::vector<OptimizerResult> kept;
+  for (const OptimizerResult& result : results) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const OptimizerResult& other) {
+      return same_basin(other.position, result.position);
+    });
+    if (!known && kept.size() < static_cast<std::size_t>(count)) kept.push_back(result);
+  }
+  return kept;
+}
+
+/// One search; each stage takes the last one's results and does nothing once a stop is requested.
+class Search {
+ public:
+  Search(const std::vector<const LogDensity*>& targets, Rng& rng, const MapSearchSettings& settings)
+      : targets_(targets), rng_(rng), settings_(settings), levels_(targets.front()->discrete_levels()) {
+    total_ = settings.prior_draws + 1 + settings.descents * settings.coarse_iterations;
+    total_ += settings.finalists * levels_.size() * short_climb();
+    for (std::size_t i = 1; i < targets.size(); ++i)
+      total_ += settings.finalists * settings.fine_iterations * std::pow(kCostRatio, i);
+  }
+
+  MapSearchResult run() {
+    std::vector<OptimizerResult> results = candidates();
+    results.resize(std::min<std::size_t>(results.size(), std::max(settings_.descents, 1)));
+    climb_all(results, 0, settings_.coarse_iterations);
+    results = distinct(results, std::max(settings_.finalists, 1));
+    for (OptimizerResult& result : results) sweep_levels(result);
+    sort_best_first(results);
+    results = distinct(results, std::max(settings_.finalists, 1));
+    for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
+    return stopped() ? best_so_far() : MapSearchResult{results.front(), results};
+  }
+
+ private:
+  bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
+  int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
+
+  OptimizerResult evaluate(const LogDensity& target, Position position) const {
+    OptimizerResult result;
+    result.evaluation = evaluate_finite(target, position);
+    result.position = std::move(position);
+    result.evaluations = 1;
+    return result;
+  }
+
+  /// The prior's mode, then draws from the prior, on the coarsest target. At least one, best first.
+  std::vector<OptimizerResult> candidates() {
+    const Eigen::Index n = targets_.front()->dimension();
+    std::vector<OptimizerResult> results;
+    for (int i = 0; i <= settings_.prior_draws && (i == 0 || !stopped()); ++i) {
+      Position position{i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
+      results.push_back(evaluate(*targets_.front(), std::move(position)));
+      report(results.back(), 1);
+    }
+    sort_best_first(results);
+    return results;
+  }
+
+  Eigen::VectorXi draw_levels() {
+    Eigen::VectorXi drawn(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i) drawn[i] = rng_.below(levels_[i]);
+    return drawn;
+  }
+
+  void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {
+    best_known_ = false;  // log densities of two targets do not compare
+    for (OptimizerResult& result : results) {
+      if (stopped()) return;
+      result = climb(*targets_[target], result.position, iterations);
+      report(result, iterations * std::pow(kCostRatio, target));
+    }
+    sort_best_first(results);
+  }
+
+  OptimizerResult climb(const LogDensity& target, const Position& start, int iterations) const {
+    OptimizerSettings settings;
+    settings.max_iterations = iterations;
+    settings.stop_requested = settings_.stop_requested;
+    return maximize(target, start, settings);
+  }
+
+  /// For each discrete coordinate the best of the other levels is climbed from for a while, since the
+  /// continuous coordinates fit the current level only, and kept if it ends above.
+  void sweep_levels(OptimizerResult& result) {
+    const LogDensity& target = *targets_.front();
+    for (std::size_t i = 0; i < levels_.size() && !stopped(); ++i) {
+      std::vector<OptimizerResult> others;
+      for (int level = 0; level < levels_[i] && !stopped(); ++level) {
+        if (level == result.position.discrete[i]) continue;
+        Position position = result.position;
+        position.discrete[i] = level;
+        others.push_back(evaluate(target, std::move(position)));
+      }
+      if (others.empty() || stopped()) continue;
+      sort_best_first(others);
+      OptimizerResult rival = climb(target, others.front().position, short_climb());
+      if (rival.evaluation.log_density > result.evaluation.log_density) result = std::move(rival);
+      report(result, short_climb());
+    }
+  }
+
+  void report(const OptimizerResult& result, double work) {
+    done_ += work;
+    if (!best_known_ || result.evaluation.log_density > best_.evaluation.log_density) best_ = result;
+    best_known_ = true;
+    if (settings_.progress)
+      settings_.progress(std::min(done_ / total_, 1.0), best_.position, best_.evaluation.log_density);
+  }
+
+  /// After a stop: one evaluation, so that the result's log density is the finest target's all the same.
+  MapSearchResult best_so_far() const {
+    const OptimizerResult best = evaluate(*targets_.back(), best_.position);
+    return {best, {best}};
+  }
+
+  const std::vector<const LogDensity*>& targets_;
+  Rng& rng_;
+  const MapSearchSettings& settings_;
+  std::vector<int> levels_;
+  OptimizerResult best_;
+  bool best_known_ = false;
+  double done_ = 0, total_ = 0;
+};
+
+}  // namespace
+
+MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng,
+                           const MapSearchSettings& settings) {
+  assert(!targets.empty());
+  return Search(targets, rng, settings).run();
+}
+
+}  // namespace patina

@@ -1,0 +1,25 @@
+#include "engine/sampling/metric.h"
+
+#include <stdexcept>
+
+namespace patina {
+
+Metric::Metric(const Eigen::MatrixXd& covariance) : covariance_(covariance) {
+  if (covariance.rows() != covariance.cols()) throw std::invalid_argument("a metric must be square");
+  if (!covariance.allFinite()) throw std::invalid_argument("a metric must be finite");
+  if (!covariance.isApprox(covariance.transpose())) throw std::invalid_argument("a metric must be symmetric");
+  factor_.compute(covariance_);
+  if (factor_.info() != Eigen::Success) throw std::invalid_argument("a metric must be positive definite");
+}
+
+Metric Metric::identity(Eigen::Index dimension) {
+  return Metric(Eigen::MatrixXd::Identity(dimension, dimension));
+}
+
+Eigen::VectorXd Metric::colour(const Eigen::VectorXd& v) const { return factor_.matrixL() * v; }
+
+double Metric::inverse_norm2(const Eigen::VectorXd& v) const {
+  return factor_.matrixL().solve(v).squaredNorm();
+}
+
+}  // namespace patina

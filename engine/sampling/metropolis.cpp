@@ -1,0 +1,26 @@
+#include "engine/sampling/metropolis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace patina {
+
+TransitionInfo metropolis_step(MoveKind move, double log_ratio, double divergent_below, ChainState proposal,
+                               ChainState& state, Rng& rng) {
+  const double uniform = rng.uniform();
+  const double change = proposal.evaluation.log_density - state.evaluation.log_density;
+  const bool finite = std::isfinite(proposal.evaluation.log_density);
+
+  TransitionInfo info;
+  info.move = move;
+  info.divergent = !finite || change < -divergent_below;
+  if (finite && !std::isnan(log_ratio)) info.accept_probability = std::min(1.0, std::exp(log_ratio));
+  info.accepted = uniform < info.accept_probability;
+  if (info.accepted) state = std::move(proposal);
+  info.evaluations = 1;
+  info.energy = -state.evaluation.log_density;
+  return info;
+}
+
+}  // namespace patina

@@ -1,0 +1,59 @@
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/sampling/kernels.h"
+
+namespace patina {
+namespace {
+
+class Mixture final : public Kernel {
+ public:
+  Mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete, double alpha)
+      : continuous_(std::move(continuous)), discrete_(std::move(discrete)), alpha_(alpha) {}
+
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    // The choice looks at nothing but the generator: were alpha to depend on the state, it would enter the
+    // ratio.
+    const Kernel& chosen = rng.uniform() < alpha_ ? *continuous_ : *discrete_;
+    return chosen.step(target, settings, state, rng);
+  }
+
+  double target_acceptance() const override { return continuous_->target_acceptance(); }
+
+ private:
+  std::unique_ptr<Kernel> continuous_, discrete_;
+  double alpha_;
+};
+
+std::unique_ptr<Kernel> make_continuous(const std::string& name) {
+  if (name == "mala") return make_mala();
+  throw std::invalid_argument("unknown kernel '" + name + "'");
+}
+
+void check_alpha(double alpha) {
+  if (!(alpha > 0 && alpha <= 1)) throw std::invalid_argument("alpha must be in (0, 1]");
+}
+
+}  // namespace
+
+std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete,
+                                     double alpha) {
+  check_alpha(alpha);
+  return std::make_unique<Mixture>(std::move(continuous), std::move(discrete), alpha);
+}
+
+std::vector<std::string> kernel_names() { return {"mala"}; }
+
+std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha) {
+  check_alpha(alpha);
+  std::unique_ptr<Kernel> continuous = make_continuous(name);
+  if (target.discrete_levels().empty()) return continuous;
+  if (target.dimension() == 0) return make_discrete_move();
+  return make_mixture(std::move(continuous), make_discrete_move(), alpha);
+}
+
+}  // namespace patina
