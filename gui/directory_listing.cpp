@@ -1,0 +1,66 @@
+#include "gui/directory_listing.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <string_view>
+#include <tuple>
+
+#include "engine/error.h"
+
+namespace patina {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 15> kImageExtensions{".jpg", ".jpeg", ".png",  ".tif", ".tiff",
+                                                            ".exr", ".hdr",  ".webp", ".bmp", ".tga",
+                                                            ".dng", ".heic", ".ppm",  ".jp2", ".gif"};
+
+}  // namespace
+
+bool looks_like_image(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return std::find(kImageExtensions.begin(), kImageExtensions.end(), extension) != kImageExtensions.end();
+}
+
+bool looks_like_run(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "run.json", ignored);
+}
+
+std::vector<DirectoryEntry> list_directory(const fs::path& folder) {
+  std::error_code error;
+  std::vector<DirectoryEntry> entries;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    std::error_code ignored;
+    if (name.starts_with('.')) continue;
+    if (it->is_directory(ignored)) {
+      entries.push_back(
+          {looks_like_run(*it) ? DirectoryEntry::Kind::run : DirectoryEntry::Kind::folder, name});
+    } else if (it->is_regular_file(ignored) && looks_like_image(*it)) {
+      entries.push_back({DirectoryEntry::Kind::image, name});
+    }
+  }
+  if (error)
+    throw UserError("The folder " + folder.string() + " cannot be read (" + error.message() +
+                    "); choose another one.");
+  std::sort(entries.begin(), entries.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.kind, a.name) < std::tie(b.kind, b.name); });
+  return entries;
+}
+
+fs::path typed_path(const std::string& text, const fs::path& folder) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return folder;
+  std::string path = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && (path == "~" || path.starts_with("~/"))) path.replace(0, 1, home);
+  return (folder / path).lexically_normal();
+}
+
+}  // namespace patina

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/run/draw.h"
+#include "gui/plot_axis.h"
+
+namespace patina {
+
+/// All draws of a run as columns, in order of arrival. A draw's index never changes. A million draws of a
+/// dozen parameters take about 150 MB.
+class DrawColumns {
+ public:
+  explicit DrawColumns(const ParameterTable& table = {});
+
+  /// Draws whose number of values is not the table's are left out.
+  void append(std::span<const Draw> draws);
+
+  std::size_t size() const { return lp_.size(); }
+  std::size_t sampling_count() const { return sampling_count_; }  ///< draws after warm-up
+  int chain_count() const { return chain_count_; }
+
+  double lp(std::size_t draw) const { return lp_[draw]; }
+  int chain(std::size_t draw) const { return chain_[draw]; }
+  std::int64_t iteration(std::size_t draw) const { return iteration_[draw]; }
+  bool warmup(std::size_t draw) const { return (flags_[draw] & kWarmup) != 0; }
+  bool divergent(std::size_t draw) const { return (flags_[draw] & kDivergent) != 0; }
+  ParameterValues values(std::size_t draw) const;
+
+  /// Where the draw lies along an axis. Levels of a discrete parameter are spread over +-0.3, each draw by an
+  /// amount of its own, so that a cloud can be seen and clicked.
+  double place(const PlotAxis& axis, std::size_t draw) const;
+
+  /// From the lowest to the highest finite place of the draws after warm-up, or of all draws; nothing yet:
+  /// [0, 1].
+  PlotRange extent(const PlotAxis& axis, bool after_warmup) const;
+
+ private:
+  static constexpr std::uint8_t kWarmup = 1, kDivergent = 2;
+
+  struct Extent {
+    double low, high;
+    Extent();
+    void include(double value);
+  };
+  std::size_t column_of(const PlotAxis& axis) const;
+  void append(const Draw& draw);
+
+  std::vector<std::vector<double>> continuous_;
+  std::vector<std::vector<std::int32_t>> discrete_;
+  std::vector<double> lp_;
+  std::vector<std::int32_t> chain_;
+  std::vector<std::int64_t> iteration_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp
+  std::size_t sampling_count_ = 0;
+  int chain_count_ = 0;
+};
+
+}  // namespace patina

@@ -1,0 +1,41 @@
+#include "gui/run_factory.h"
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+
+namespace patina {
+namespace {
+
+std::string timestamp() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local);
+  return text.data();
+}
+
+}  // namespace
+
+std::filesystem::path default_runs_directory() {
+  const std::filesystem::path below = std::filesystem::path("patina") / "runs";
+  if (const char* data_home = std::getenv("XDG_DATA_HOME"); data_home != nullptr && *data_home == '/')
+    return data_home / below;
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
+    return std::filesystem::path(home) / ".local" / "share" / below;
+  }
+  std::error_code ignored;
+  return std::filesystem::temp_directory_path(ignored) / below;
+}
+
+std::filesystem::path fresh_run_directory(const std::filesystem::path& runs, const std::string& photo_name,
+                                          const std::string& material) {
+  const std::string name = photo_name + "-" + material + "-" + timestamp();
+  std::filesystem::path directory = runs / name;
+  for (int copy = 2; std::filesystem::exists(directory); ++copy)
+    directory = runs / (name + "-" + std::to_string(copy));
+  return directory;
+}
+
+}  // namespace patina

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "engine/run/run.h"
+
+namespace patina {
+
+/// Where the window gets its runs from. Tests put runs of known draws here.
+struct RunFactory {
+  std::function<std::unique_ptr<DrawSource>(
+      const RunSettings&, const Photo&, const std::filesystem::path& directory, std::function<void()> wake)>
+      start = start_run;
+  std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory)> open = open_run;
+};
+
+/// Where runs started in the window are kept: $XDG_DATA_HOME/patina/runs, or ~/.local/share/patina/runs.
+/// Without either a folder for temporary files, so that a run can start at all.
+std::filesystem::path default_runs_directory();
+
+/// A directory that does not exist yet: runs/<photo>-<material>-<date>-<time>, with -2, -3 ... if it is
+/// taken.
+std::filesystem::path fresh_run_directory(const std::filesystem::path& runs, const std::string& photo_name,
+                                          const std::string& material);
+
+}  // namespace patina

@@ -1,0 +1,124 @@
+#include "gui/session.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "engine/error.h"
+#include "engine/material/registry.h"
+#include "gui/words.h"
+
+namespace patina {
+
+Session::Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake)
+    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {
+  set_material(settings_.material);
+}
+
+Session::~Session() = default;
+
+void Session::open(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    open_run_directory(path);
+  } else {
+    open_photo(path);
+  }
+}
+
+void Session::open_photo(const std::filesystem::path& file) {
+  Photo photo = load_photo(file);
+  let_run_go();
+  photo_ = std::move(photo);
+  photo_file_ = file;
+  ++photo_version_;
+}
+
+void Session::open_run_directory(const std::filesystem::path& directory) {
+  std::unique_ptr<DrawSource> source = factory_.open(directory);
+  ParameterTable next_table = material_table(source->settings().material);
+  Photo photo;
+  photo.image = source->photo();
+  photo.original_width = photo.image.width;
+  photo.original_height = photo.image.height;
+
+  adopt(std::move(source));
+  photo_ = std::move(photo);
+  photo_file_ = directory / "photo.png";
+  ++photo_version_;
+  settings_ = source_->settings();
+  next_table_ = std::move(next_table);
+}
+
+void Session::set_material(const std::string& name) {
+  next_table_ = material_table(name);
+  settings_.material = name;
+  settings_.fixed.clear();
+  settings_.priors.clear();
+}
+
+void Session::set_size_cm(double size_cm) {
+  assert(size_cm > 0);
+  settings_.capture.camera_cm *= size_cm / settings_.capture.size_cm;
+  settings_.capture.size_cm = size_cm;
+}
+
+void Session::start() {
+  if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
+  // A run directory's own copy is a photo like any other; only its file tells the checksum.
+  if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
+  const std::string name =
+      photo_file_.filename() == "photo.png" ? photo_file_.parent_path().filename().string() : photo_name();
+  adopt(factory_.start(settings_, *photo_, fresh_run_directory(runs_, name, settings_.material), wake_));
+}
+
+void Session::let_run_go() {
+  summary_worker_.reset();
+  if (source_) {
+    leaving_ = std::async(std::launch::async,
+                          [old = std::shared_ptr<DrawSource>(std::move(source_))]() mutable { old.reset(); });
+  }
+  model_ = ExplorerModel();
+  status_ = RunStatus();
+  summary_.reset();
+  readable_ = true;
+  ++run_version_;
+}
+
+void Session::adopt(std::unique_ptr<DrawSource> source) {
+  let_run_go();
+  source_ = std::move(source);
+  model_ = ExplorerModel(source_->table());
+  summary_worker_ = std::make_unique<SummaryWorker>(source_->table(), wake_);
+  status_ = source_->status();
+}
+
+void Session::pause() {
+  if (source_) source_->pause();
+}
+
+void Session::resume() {
+  if (source_) source_->resume();
+}
+
+void Session::stop() {
+  if (source_) source_->stop();
+}
+
+void Session::poll() {
+  if (!source_ || !readable_) return;
+  try {
+    status_ = source_->status();
+    std::vector<Draw> draws = source_->take_draws();
+    model_.append(draws);
+    summary_worker_->add(std::move(draws));
+  } catch (...) {
+    readable_ = false;
+    throw;
+  }
+  if (auto summary = summary_worker_->take()) summary_ = std::move(summary);
+}
+
+bool Session::is_live() const { return source_ && readable_ && !is_over(status_.phase); }
+
+}  // namespace patina

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/io/photo.h"
+#include "engine/run/draw_source.h"
+#include "gui/explorer_model.h"
+#include "gui/run_factory.h"
+#include "gui/summary_worker.h"
+
+namespace patina {
+
+/// What is open in the window: a photo, the settings of the next run, and the run with all that came of it.
+/// No ImGui, no GL; used from the window's thread. Where a function throws, everything is as it was before.
+class Session {
+ public:
+  /// @param runs  folder in which start() makes run directories
+  /// @param wake  called from other threads when poll() would find something new
+  Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake);
+  ~Session();
+
+  /// Opens a photo, or a run directory to look at. The run that was open is let go (a sampler stops).
+  /// @throws UserError
+  void open(const std::filesystem::path& path);
+
+  bool has_photo() const { return photo_.has_value(); }
+  const Photo& photo() const { return *photo_; }
+  std::string photo_name() const { return photo_file_.stem().string(); }  ///< without folder and extension
+  int photo_version() const { return photo_version_; }                    ///< grows with every photo
+
+  /// Settings of the next run.
+  const RunSettings& settings() const { return settings_; }
+  const ParameterTable& next_table() const { return next_table_; }  ///< of settings().material
+  void set_material(const std::string& name);  ///< @throws UserError; fixed values and priors go
+  void set_size_cm(double size_cm);            ///< keeps the field of view
+
+  /// Starts a run on the photo in a fresh directory; the run that was open is let go.
+  /// @throws UserError if there is no photo or the run cannot start
+  void start();
+
+  bool has_run() const { return source_ != nullptr; }
+  const DrawSource& run() const { return *source_; }
+  int run_version() const { return run_version_; }  ///< grows with every run or photo opened
+  void pause();
+  void resume();
+  void stop();
+
+  /// Takes in what arrived since the last call. @throws UserError once if the run directory became unreadable
+  void poll();
+
+  /// Whether the run must be polled even if nothing wakes the window (another process may be writing it).
+  bool is_live() const;
+
+  ExplorerModel& model() { return model_; }
+  const ExplorerModel& model() const { return model_; }
+  const RunStatus& status() const { return status_; }
+  const std::optional<RunSummary>& summary() const { return summary_; }  ///< of the draws after warm-up
+
+ private:
+  void open_photo(const std::filesystem::path& file);
+  void open_run_directory(const std::filesystem::path& directory);
+  void let_run_go();
+  void adopt(std::unique_ptr<DrawSource> source);
+
+  RunFactory factory_;
+  std::filesystem::path runs_;
+  std::function<void()> wake_;
+  std::optional<Photo> photo_;
+  std::filesystem::path photo_file_;
+  RunSettings settings_;
+  ParameterTable next_table_;
+  ExplorerModel model_;
+  RunStatus status_;
+  std::optional<RunSummary> summary_;
+  bool readable_ = true;
+  int photo_version_ = 0;
+  int run_version_ = 0;
+  std::future<void> leaving_;  ///< the end of the run before: a sampler may take an evaluation to stop
+  std::unique_ptr<DrawSource> source_;
+  std::unique_ptr<SummaryWorker> summary_worker_;
+};
+
+}  // namespace patina

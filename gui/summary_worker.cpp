@@ -1,0 +1,106 @@
+#include "gui/summary_worker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <iterator>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace patina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kLeastInterval = std::chrono::seconds(1);
+
+/// The worker's draws after warm-up, thinned by whole iterations so that chains stay aligned.
+class ThinnedDraws {
+ public:
+  /// Returns whether a draw was kept.
+  bool add(std::vector<Draw> arrived) {
+    const std::size_t before = draws_.size();
+    std::copy_if(std::make_move_iterator(arrived.begin()), std::make_move_iterator(arrived.end()),
+                 std::back_inserter(draws_), [&](const Draw& draw) { return keeps(draw); });
+    const bool grew = draws_.size() > before;
+    while (draws_.size() > SummaryWorker::kMaxDraws) {
+      every_ *= 2;
+      std::erase_if(draws_, [&](const Draw& draw) { return !keeps(draw); });
+    }
+    return grew;
+  }
+
+  const std::vector<Draw>& draws() const { return draws_; }
+
+ private:
+  bool keeps(const Draw& draw) const { return !draw.warmup && draw.iteration % every_ == 0; }
+
+  std::vector<Draw> draws_;
+  std::int64_t every_ = 1;
+};
+
+}  // namespace
+
+struct SummaryWorker::State {
+  ParameterTable table;
+  std::function<void()> wake;
+  std::mutex mutex;
+  std::condition_variable_any arrived;
+  std::vector<Draw> inbox;
+  std::optional<RunSummary> outbox;
+  std::jthread thread;  // last: joins before what it uses goes
+
+  std::vector<Draw> wait_for_draws(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    arrived.wait(lock, stop, [&] { return !inbox.empty(); });
+    return std::exchange(inbox, {});
+  }
+
+  void sleep(const std::stop_token& stop, Clock::duration duration) {
+    std::unique_lock lock(mutex);
+    arrived.wait_for(lock, stop, duration, [] { return false; });
+  }
+
+  void work(const std::stop_token& stop) {
+    ThinnedDraws kept;
+    while (!stop.stop_requested()) {
+      if (!kept.add(wait_for_draws(stop))) continue;
+      const auto start = Clock::now();
+      RunSummary summary = summarize_draws(table, kept.draws());
+      const auto spent = Clock::now() - start;
+      {
+        const std::lock_guard lock(mutex);
+        outbox = std::move(summary);
+      }
+      if (wake) wake();
+      sleep(stop, std::max<Clock::duration>(kLeastInterval, 9 * spent));
+    }
+  }
+};
+
+SummaryWorker::SummaryWorker(ParameterTable table, std::function<void()> wake)
+    : state_(std::make_unique<State>()) {
+  state_->table = std::move(table);
+  state_->wake = std::move(wake);
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
+}
+
+SummaryWorker::~SummaryWorker() = default;
+
+void SummaryWorker::add(std::vector<Draw> draws) {
+  if (draws.empty()) return;
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->inbox.insert(state_->inbox.end(), std::make_move_iterator(draws.begin()),
+                         std::make_move_iterator(draws.end()));
+  }
+  state_->arrived.notify_one();
+}
+
+std::optional<RunSummary> SummaryWorker::take() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->outbox, std::nullopt);
+}
+
+}  // namespace patina
