@@ -2,22 +2,34 @@
 
 #include <ATen/core/Tensor.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace patina {
 
-/// A small feed-forward convolutional network, described by its file. Reflection padding, average pooling.
-/// Safe to call from several threads.
+/// A small feed-forward convolutional network, described by its file. Safe to call from several threads.
+///
+/// The file is a .safetensors file of float32 tensors whose metadata entry "patina_network" is JSON:
+///   {"format": 1, "name": "...", "mean": [r, g, b], "std": [r, g, b], "layers": [...]}
+/// The input, sRGB in [0,1], is normalised to (x - mean) / std. Layers run in order on a trunk:
+///   {"op": "conv", "weights": "NAME", "relu": true}   trunk = [ReLU] conv(trunk), with NAME.weight [out, in,
+///   k, k],
+///                                                     k odd, and NAME.bias [out]; reflection padding, same
+///                                                     size
+///   {"op": "avg_pool"}, {"op": "max_pool"}            2 x 2, stride 2
+///   {"op": "tap", "weights": ["NAME", ...]}           one feature map of the summary: the trunk as it is, or
+///   the
+///                                                     trunk sent through those convolutions, each with ReLU,
+///                                                     aside
 class Network {
  public:
-  /// Reads a .safetensors file with the architecture in its metadata (resources/networks/README.md).
   /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture
   static Network load(const std::filesystem::path& file);
 
-  /// Feature maps at the layers marked for the summary, each [channels, height, width].
-  /// @param image [3, n, n] float32, sRGB in [0,1]
+  /// The feature maps of the taps, each [channels, height, width].
+  /// @param image [3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()
   std::vector<at::Tensor> features(const at::Tensor& image) const;
 
   const std::string& name() const { return name_; }
@@ -25,8 +37,21 @@ class Network {
   int minimum_resolution() const;
 
  private:
-  struct Layer;
+  enum class Op { conv, avg_pool, max_pool, tap };
+  struct Convolution {
+    at::Tensor weight;  ///< [out, in, k, k]
+    at::Tensor bias;    ///< [out]
+    bool relu = true;
+    at::Tensor operator()(const at::Tensor& x) const;
+  };
+  struct Layer {
+    Op op = Op::tap;
+    std::vector<Convolution> convolutions;
+  };
+  friend class NetworkReader;
+
   std::string name_;
+  at::Tensor mean_, std_;  ///< [1, 3, 1, 1]
   std::vector<Layer> layers_;
 };
 

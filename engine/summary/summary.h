@@ -13,7 +13,8 @@ namespace patina {
 struct SummaryBlock {
   std::string name;  ///< "gram 2", "ring means"
   std::int64_t size;
-  bool relative;     ///< true: errors are judged relative to the block's norm (Gram matrices); false: absolute (means)
+  bool relative;  ///< true: errors are judged relative to the block's norm (Gram matrices); false: absolute
+                  ///< (means)
 };
 
 /// A summary function (paper section 4): maps an image to a vector that forgets where things lie and keeps

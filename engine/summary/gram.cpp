@@ -1,0 +1,22 @@
+#include "engine/summary/gram.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/mm.h>
+#include <ATen/ops/triu_indices.h>
+#include <ATen/ops/where.h>
+
+#include <numbers>
+
+namespace patina {
+
+at::Tensor gram_vector(const at::Tensor& features) {
+  const std::int64_t channels = features.size(0);
+  const at::Tensor flat = features.reshape({channels, -1});
+  const at::Tensor gram = at::mm(flat, flat.t()) / static_cast<double>(flat.size(1));
+  const at::Tensor upper = at::triu_indices(channels, channels);
+  const at::Tensor weights =
+      at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(features.scalar_type());
+  return gram.reshape({-1}).index_select(0, upper[0] * channels + upper[1]) * weights;
+}
+
+}  // namespace patina

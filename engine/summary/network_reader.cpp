@@ -1,0 +1,125 @@
+#include <ATen/ops/isfinite.h>
+#include <ATen/ops/tensor.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/error.h"
+#include "engine/summary/network.h"
+#include "engine/summary/safetensors.h"
+
+namespace patina {
+
+/// Builds a Network from a file's tensors and its description, believing neither.
+class NetworkReader {
+ public:
+  explicit NetworkReader(const std::filesystem::path& file)
+      : file_(file), contents_(read_safetensors(file)) {}
+
+  Network read() {
+    const auto found = contents_.metadata.find("patina_network");
+    if (found == contents_.metadata.end())
+      refuse("its metadata do not describe a network (entry patina_network)");
+    const auto json = nlohmann::json::parse(found->second, nullptr, false);
+    if (!json.is_object() || json.value("format", nlohmann::json()) != 1)
+      refuse("its description is not of format 1");
+    Network network;
+    network.name_ = text(json, "name");
+    network.mean_ = colour(json, "mean");
+    network.std_ = colour(json, "std");
+    if (!json.contains("layers") || !json["layers"].is_array() || json["layers"].size() > kMaxLayers)
+      refuse("its description has no list of layers");
+    for (const auto& layer : json["layers"]) network.layers_.push_back(read_layer(layer));
+    if (taps_ == 0) refuse("its description has no tap");
+    return network;
+  }
+
+ private:
+  static constexpr std::size_t kMaxLayers = 200;
+  static constexpr int kMaxPools = 8;
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw UserError("The network file " + file_.filename().string() + " cannot be used: " + why +
+                    "; give another one or leave --network out.");
+  }
+
+  std::string text(const nlohmann::json& json, const char* key) const {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_string())
+      refuse(std::string("its description lacks '") + key + "'");
+    return json[key];
+  }
+
+  at::Tensor colour(const nlohmann::json& json, const char* key) const {
+    std::vector<float> numbers;
+    if (json.contains(key) && json[key].is_array() && json[key].size() == 3)
+      for (const auto& number : json[key])
+        if (number.is_number()) numbers.push_back(number.get<float>());
+    if (numbers.size() != 3) refuse(std::string("its description lacks three numbers '") + key + "'");
+    if (key == std::string("std"))
+      for (const float number : numbers)
+        if (!(number > 0)) refuse("its std is not above 0");
+    return at::tensor(numbers, at::kFloat).view({1, 3, 1, 1});
+  }
+
+  at::Tensor tensor(const std::string& name, std::int64_t dimensions) const {
+    const auto found = contents_.tensors.find(name);
+    if (found == contents_.tensors.end()) refuse("tensor '" + name.substr(0, 80) + "' is missing");
+    if (found->second.dim() != dimensions) refuse("tensor '" + name + "' has the wrong number of dimensions");
+    if (!at::isfinite(found->second).all().item<bool>())
+      refuse("tensor '" + name + "' has values that are not numbers");
+    return found->second;
+  }
+
+  Network::Convolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) const {
+    Network::Convolution convolution{tensor(name + ".weight", 4), tensor(name + ".bias", 1), relu};
+    const at::Tensor& weight = convolution.weight;
+    if (weight.size(1) != in_channels)
+      refuse("'" + name + "' takes " + std::to_string(weight.size(1)) + " channels where " +
+             std::to_string(in_channels) + " arrive");
+    if (weight.size(2) != weight.size(3) || weight.size(2) % 2 == 0)
+      refuse("'" + name + "' is not an odd square");
+    if (convolution.bias.size(0) != weight.size(0)) refuse("the bias of '" + name + "' has the wrong size");
+    return convolution;
+  }
+
+  Network::Layer read_layer(const nlohmann::json& json) {
+    const std::string op = text(json, "op");
+    Network::Layer layer;
+    if (op == "conv") {
+      layer.op = Network::Op::conv;
+      layer.convolutions.push_back(
+          read_convolution(text(json, "weights"), trunk_channels_, json.value("relu", true)));
+      trunk_channels_ = layer.convolutions.front().weight.size(0);
+    } else if (op == "avg_pool" || op == "max_pool") {
+      layer.op = op == "avg_pool" ? Network::Op::avg_pool : Network::Op::max_pool;
+      if (++pools_ > kMaxPools) refuse("it pools more than " + std::to_string(kMaxPools) + " times");
+    } else if (op == "tap") {
+      read_tap(json, layer);
+    } else {
+      refuse("its description has an unknown layer '" + op.substr(0, 40) + "'");
+    }
+    return layer;
+  }
+
+  void read_tap(const nlohmann::json& json, Network::Layer& layer) {
+    layer.op = Network::Op::tap;
+    ++taps_;
+    std::int64_t channels = trunk_channels_;
+    const nlohmann::json names = json.value("weights", nlohmann::json::array());
+    if (!names.is_array()) refuse("the weights of a tap are not a list");
+    for (const auto& name : names) {
+      if (!name.is_string()) refuse("the weights of a tap are not names");
+      layer.convolutions.push_back(read_convolution(name, channels, /*relu=*/true));
+      channels = layer.convolutions.back().weight.size(0);
+    }
+  }
+
+  std::filesystem::path file_;
+  SafeTensors contents_;
+  std::int64_t trunk_channels_ = 3;
+  int pools_ = 0;
+  int taps_ = 0;
+};
+
+Network Network::load(const std::filesystem::path& file) { return NetworkReader(file).read(); }
+
+}  // namespace patina
