@@ -1,0 +1,56 @@
+#include "gui/panels/draw_panel.h"
+
+#include "gui/theme.h"
+#include "gui/words.h"
+
+namespace patina {
+namespace {
+
+std::string describe(const ExplorerModel& model, const ShownDraw& shown) {
+  if (shown.kind == ShownDraw::Kind::typical)
+    return "The middle of what this material usually is. Press Start to fit it to the photo.";
+  std::string text = "Match " + number_text(shown.lp, 4);
+  if (const auto best = model.best(); best && shown.kind == ShownDraw::Kind::selected) {
+    const double below = model.draws().lp(*best) - shown.lp;
+    text += below > 0 ? ", " + number_text(below, 3) + " below the best" : ", the best so far";
+  }
+  if (shown.draw) {
+    text += "\nChain " + std::to_string(model.draws().chain(*shown.draw) + 1) + ", step " +
+            count_text(model.draws().iteration(*shown.draw) + 1) +
+            (model.draws().warmup(*shown.draw) ? " (warm-up)" : "");
+  }
+  return text;
+}
+
+void draw_walk(const PanelContext& context) {
+  ExplorerModel& model = context.session.model();
+  ImGui::BeginDisabled(model.draws().size() == 0);
+  const float width = ImGui::GetFrameHeight();
+  if (ImGui::Button("<", {width, 0})) context.commands.push_back([&model] { model.select_better(); });
+  tooltip("The next better draw (left arrow)");
+  ImGui::SameLine();
+  if (ImGui::Button(">", {width, 0})) context.commands.push_back([&model] { model.select_worse(); });
+  tooltip("The next less likely draw (right arrow)");
+  ImGui::SameLine();
+  if (ImGui::Button("Best")) context.commands.push_back([&model] { model.select(model.best()); });
+  tooltip("Select the draw that matches best");
+  ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
+                     const std::string& export_note, const DrawPanelActions& actions) {
+  const PanelScope panel((shown_draw_title(shown) + "###draw").c_str(), rect, context,
+                         ImGuiWindowFlags_NoScrollbar);
+  muted_text(describe(context.session.model(), shown));
+  if (!export_note.empty()) elided_text(export_note, ImGui::GetContentRegionAvail().x, theme::kAccent);
+  const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
+  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
+  draw_walk(context);
+  align_right(button_width("Export..."));
+  if (ImGui::Button("Export...")) context.commands.push_back(actions.export_draw);
+  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
+}
+
+}  // namespace patina

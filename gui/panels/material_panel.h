@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gui/panels/panel.h"
+#include "gui/shown_draw.h"
+
+namespace patina {
+
+/// Choice of material and size, the start of a run, and what is known of every parameter.
+class MaterialPanel {
+ public:
+  MaterialPanel();
+  void draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown);
+
+ private:
+  void draw_choices(const PanelContext& context);
+  void draw_start(const PanelContext& context);
+
+  std::vector<std::string> materials_;
+};
+
+}  // namespace patina

@@ -1,0 +1,96 @@
+#include "gui/panels/panel.h"
+
+#include "gui/theme.h"
+
+namespace patina {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+
+float text_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+/// Cuts UTF-8 text in the middle until it fits.
+std::string elided(const std::string& text, float width) {
+  static const std::string kDots = "\u2026";
+  std::size_t head = text.size() / 2, tail = text.size() - head;
+  while (head > 0 && tail > 0) {
+    --head, --tail;
+    while (head > 0 && continues_character(text[head])) --head;
+    while (tail > 0 && continues_character(text[text.size() - tail])) --tail;
+    std::string cut = text.substr(0, head) + kDots + text.substr(text.size() - tail);
+    if (text_width(cut) <= width) return cut;
+  }
+  return kDots;
+}
+
+}  // namespace
+
+PanelScope::PanelScope(const char* title, const Rect& rect, const PanelContext& context,
+                       ImGuiWindowFlags flags) {
+  ImGui::SetNextWindowPos(rect.position);
+  ImGui::SetNextWindowSize(rect.size);
+  ImGui::Begin(title, nullptr, kFixed | flags);
+  const std::string text = title;
+  heading_text(context, text.substr(0, text.find("##")));
+}
+
+PanelScope::~PanelScope() { ImGui::End(); }
+
+void heading_text(const PanelContext& context, const std::string& text) {
+  ImGui::PushFont(context.heading);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+void muted_text(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void elided_text(const std::string& text, float width, ImU32 color) {
+  const bool fits = text_width(text) <= width;
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(fits ? text.c_str() : elided(text, width).c_str());
+  ImGui::PopStyleColor();
+  if (!fits) tooltip(text);
+}
+
+void tooltip(const std::string& text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool primary_button(const char* label, ImVec2 size) {
+  ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(108, 204, 180, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(70, 160, 138, 255));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(16, 24, 22, 255));
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopStyleColor(4);
+  return pressed;
+}
+
+void align_right(float width) {
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+}
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+}  // namespace patina

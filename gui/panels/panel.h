@@ -1,0 +1,55 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gui/layout.h"
+#include "gui/session.h"
+
+namespace patina {
+
+/// What the user asked for during a frame. Carried out after the frame has been laid out, so that whatever is
+/// thrown never leaves Dear ImGui's stack half open.
+using Commands = std::vector<std::function<void()>>;
+
+/// What every panel sees.
+struct PanelContext {
+  Session& session;
+  Commands& commands;
+  ImFont* heading;  ///< semi-bold
+};
+
+/// A panel's ground and title, for as long as it lives. Of the title, what follows "##" only names the panel.
+class PanelScope {
+ public:
+  PanelScope(const char* title, const Rect& rect, const PanelContext& context, ImGuiWindowFlags flags = 0);
+  ~PanelScope();
+  PanelScope(const PanelScope&) = delete;
+  PanelScope& operator=(const PanelScope&) = delete;
+};
+
+/// Text in the heading's font.
+void heading_text(const PanelContext& context, const std::string& text);
+
+/// Text in the muted colour, wrapped at the panel's edge.
+void muted_text(const std::string& text);
+
+/// One line of text, its middle left out where it is too long for `width`; the whole in a tooltip then.
+void elided_text(const std::string& text, float width, ImU32 color);
+
+/// A tooltip for the item before, in a box of readable width.
+void tooltip(const std::string& text);
+
+/// A button in the accent colour: what to do next.
+bool primary_button(const char* label, ImVec2 size = {0, 0});
+
+/// Puts the next item, `width` wide, at the right edge of the line before.
+void align_right(float width);
+
+/// The width of a button with this text.
+float button_width(const char* label);
+
+}  // namespace patina

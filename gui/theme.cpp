@@ -1,0 +1,70 @@
+#include "gui/theme.h"
+
+#include <array>
+
+namespace patina::theme {
+namespace {
+
+ImVec4 color(ImU32 packed, float alpha = 1) {
+  ImVec4 value = ImGui::ColorConvertU32ToFloat4(packed);
+  value.w *= alpha;
+  return value;
+}
+
+void apply_spacing(ImGuiStyle& style, float em) {
+  style.WindowPadding = {0.9f * em, 0.8f * em};
+  style.FramePadding = {0.6f * em, 0.35f * em};
+  style.ItemSpacing = {0.6f * em, 0.5f * em};
+  style.ItemInnerSpacing = {0.45f * em, 0.35f * em};
+  style.CellPadding = {0.3f * em, 0.2f * em};
+  style.ScrollbarSize = 0.7f * em;
+  style.GrabMinSize = 0.8f * em;
+  style.WindowRounding = style.PopupRounding = 0.4f * em;
+  style.FrameRounding = style.GrabRounding = style.ScrollbarRounding = 0.3f * em;
+  style.WindowBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.DisabledAlpha = 0.4f;
+}
+
+void apply_colors(ImGuiStyle& style) {
+  ImVec4* colors = style.Colors;
+  const auto set = [&](ImU32 packed, std::initializer_list<ImGuiCol> where, float alpha = 1) {
+    for (const ImGuiCol index : where) colors[index] = color(packed, alpha);
+  };
+  set(kText, {ImGuiCol_Text});
+  set(kMuted, {ImGuiCol_TextDisabled});
+  set(kPanel, {ImGuiCol_WindowBg, ImGuiCol_TableHeaderBg});
+  set(IM_COL32(42, 44, 46, 255), {ImGuiCol_PopupBg});
+  set(kLine, {ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong});
+  set(IM_COL32(48, 50, 53, 255), {ImGuiCol_FrameBg, ImGuiCol_Button});
+  set(IM_COL32(60, 63, 66, 255), {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered});
+  set(IM_COL32(72, 75, 79, 255), {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive});
+  set(kAccent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_PlotHistogram,
+                ImGuiCol_NavHighlight});
+  set(kAccent, {ImGuiCol_Header, ImGuiCol_TextSelectedBg}, 0.25f);
+  set(kAccent, {ImGuiCol_HeaderHovered}, 0.35f);
+  set(kAccent, {ImGuiCol_HeaderActive}, 0.45f);
+  set(kPanel, {ImGuiCol_ScrollbarBg}, 0);
+  set(kLine, {ImGuiCol_ScrollbarGrab});
+  set(IM_COL32(80, 83, 87, 255), {ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
+  set(IM_COL32(0, 0, 0, 255), {ImGuiCol_ModalWindowDimBg}, 0.55f);
+  set(IM_COL32(255, 255, 255, 255), {ImGuiCol_TableRowBgAlt}, 0.02f);
+}
+
+}  // namespace
+
+ImU32 chain_color(int chain) {
+  static constexpr std::array<ImU32, 8> kColors{IM_COL32(86, 180, 233, 255), IM_COL32(240, 170, 50, 255),
+                                                IM_COL32(60, 190, 140, 255), IM_COL32(224, 130, 180, 255),
+                                                IM_COL32(240, 228, 90, 255), IM_COL32(110, 140, 230, 255),
+                                                IM_COL32(232, 110, 60, 255), IM_COL32(190, 190, 195, 255)};
+  return kColors[static_cast<std::size_t>(chain) % kColors.size()];
+}
+
+void apply(float font_size) {
+  ImGuiStyle& style = ImGui::GetStyle();
+  apply_spacing(style, font_size);
+  apply_colors(style);
+}
+
+}  // namespace patina::theme
