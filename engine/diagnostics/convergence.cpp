@@ -71,6 +71,7 @@ double mean_ess(ChainDraws draws) { return defined(draws) ? split_ess(draws) : k
 
 double mcse_mean(ChainDraws draws) {
   if (!defined(draws)) return kNaN;
+  if (constant(draws)) return 0;
   const double variance =
       (draws.array() - draws.mean()).square().sum() / static_cast<double>(draws.size() - 1);
   return std::sqrt(variance / split_ess(draws));

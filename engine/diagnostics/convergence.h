@@ -9,7 +9,7 @@ using ChainDraws = Eigen::Ref<const Eigen::MatrixXd>;
 
 // Definitions: Vehtari, Gelman, Simpson, Carpenter, Buerkner 2021 (Bayesian Analysis 16:667), as in Stan,
 // R posterior and ArviZ. All return NaN where undefined (fewer than four draws, a draw that is not finite);
-// a constant quantity has R-hat NaN and an ESS of its number of draws.
+// a constant quantity has R-hat NaN, an ESS of its number of draws and an MCSE of 0.
 
 double split_rhat(ChainDraws draws);  ///< rank-normalised, folded and split; the larger of bulk and tail
 double bulk_ess(ChainDraws draws);

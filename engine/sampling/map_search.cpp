@@ -50,16 +50,19 @@ class Search {
     std::vector<OptimizerResult> results = candidates();
     results.resize(std::min<std::size_t>(results.size(), std::max(settings_.descents, 1)));
     climb_all(results, 0, settings_.coarse_iterations);
-    results = distinct(results, std::max(settings_.finalists, 1));
-    for (OptimizerResult& result : results) sweep_levels(result);
+    // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
+    std::vector<OptimizerResult> finalists = distinct(results, finalist_count());
+    for (OptimizerResult& finalist : finalists) sweep_levels(finalist);
+    results.insert(results.end(), finalists.begin(), finalists.end());
     sort_best_first(results);
-    results = distinct(results, std::max(settings_.finalists, 1));
+    results = distinct(results, finalist_count());
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
     return stopped() ? best_so_far() : MapSearchResult{results.front(), results};
   }
 
  private:
   bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
+  int finalist_count() const { return std::max(settings_.finalists, 1); }
   int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
 
   OptimizerResult evaluate(const LogDensity& target, Position position) const {

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/sampling/kernels.h"
+#include "engine/sampling/metropolis.h"
+#include "tests/sampling/skewed_target.h"
+#include "tests/sampling/statistics.h"
+
+// A kernel that leaves its target invariant turns exact draws into exact draws. No burn-in, no
+// autocorrelation: the states after k transitions are independent, and every Kolmogorov distance has a bound
+// that holds for certain.
+
+namespace patina {
+namespace {
+
+constexpr int kDraws = 60000;
+constexpr double kFamilyWiseAlpha = 1e-6;
+
+struct Marginal {
+  std::string name;
+  std::function<double(const SkewedTarget::Independent&, int level)> value;
+  std::function<double(double)> cdf;
+};
+
+/// Functions of the draw whose distributions are known: e^a, e^b are Exp(1), their sum Gamma(2), their share
+/// of it uniform, their minimum Exp(2).
+std::vector<Marginal> marginals() {
+  using Parts = SkewedTarget::Independent;
+  const auto exponential = [](double e) { return -std::expm1(-e); };
+  const auto uniform = [](double p) { return p; };
+  return {
+      {"a", [](const Parts& p, int) { return std::exp(p.a); }, exponential},
+      {"b", [](const Parts& p, int) { return std::exp(p.b); }, exponential},
+      {"t", [](const Parts& p, int) { return p.t; }, [](double t) { return t * t; }},
+      {"sum", [](const Parts& p, int) { return std::exp(p.a) + std::exp(p.b); },
+       [](double s) { return 1 - std::exp(-s) * (1 + s); }},
+      {"share", [](const Parts& p, int) { return 1 / (1 + std::exp(p.b - p.a)); }, uniform},
+      {"minimum", [](const Parts& p, int) { return std::exp(std::min(p.a, p.b)); },
+       [](double e) { return -std::expm1(-2 * e); }},
+      // Levels as uniforms: level k spread over its interval by the fractional part of another uniform.
+      {"level",
+       [](const Parts& p, int k) {
+         const double low[] = {0, 0.5, 0.8};
+         return low[k] + SkewedTarget::kLevelWeights[k] * p.t * p.t;
+       },
+       uniform},
+  };
+}
+
+struct Outcome {
+  double worst =
+      0;  ///< largest Kolmogorov distance in units of its bound: above 1 the family of tests rejects
+  std::string worst_name;
+  double accepted = 0;
+  double moved = 0;  ///< mean distance from the start
+};
+
+Outcome after_transitions(const Kernel& kernel, const LogDensity& target, int transitions) {
+  const KernelSettings settings = settings_with(0.8, some_covariance(3));
+  Rng rng(31);
+  std::vector<Position> ends;
+  Outcome outcome;
+  for (int i = 0; i < kDraws; ++i) {
+    const Position start = SkewedTarget::exact_draw(rng);
+    ChainState state = state_at(target, start);
+    for (int k = 0; k < transitions; ++k)
+      outcome.accepted += kernel.step(target, settings, state, rng).accepted / double(kDraws * transitions);
+    outcome.moved += (state.position.continuous - start.continuous).norm() / kDraws;
+    ends.push_back(state.position);
+  }
+  for (const Marginal& marginal : marginals()) {
+    std::vector<double> sample;
+    for (const Position& end : ends)
+      sample.push_back(marginal.value(SkewedTarget::independent(end), end.discrete[0]));
+    const double bound = testing_statistics::dkw_bound(kDraws, kFamilyWiseAlpha / marginals().size());
+    const double distance = testing_statistics::ks_distance(sample, marginal.cdf) / bound;
+    if (distance > outcome.worst) outcome.worst = distance, outcome.worst_name = marginal.name;
+  }
+  return outcome;
+}
+
+/// MALA that forgets the proposals in its ratio: a plausible mistake.
+class MalaWithoutReverseProposal final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    const double step = settings.step_size;
+    Position position = state.position;
+    position.continuous += step * step / 2 * settings.metric->multiply(state.evaluation.gradient) +
+                           step * settings.metric->colour(rng.normals(3));
+    ChainState proposal = state_at(target, position);
+    const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
+    return metropolis_step(MoveKind::continuous, log_ratio, 1000, std::move(proposal), state, rng);
+  }
+  double target_acceptance() const override { return 0.574; }
+};
+
+TEST(Invariance, mala_keeps_exact_draws_exact) {
+  const Outcome outcome = after_transitions(*make_mala(), SkewedTarget(), 5);
+  EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+  EXPECT_GT(outcome.moved, 0.2);
+  EXPECT_GT(outcome.accepted, 0.4);
+  EXPECT_LT(outcome.accepted, 0.99);
+}
+
+TEST(Invariance, discrete_moves_keep_exact_draws_exact) {
+  const Outcome outcome = after_transitions(*make_discrete_move(), SkewedTarget(), 3);
+  EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+  EXPECT_LT(outcome.accepted, 0.95);
+}
+
+TEST(Invariance, the_mixture_keeps_exact_draws_exact) {
+  const SkewedTarget target;
+  for (const double alpha : {0.3, 0.8}) {
+    const Outcome outcome = after_transitions(*make_kernel("mala", target, alpha), target, 4);
+    EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " at alpha " << alpha;
+    EXPECT_GT(outcome.moved, 0.2);
+  }
+}
+
+TEST(Invariance, is_lost_without_the_reverse_proposal) {
+  EXPECT_GT(after_transitions(MalaWithoutReverseProposal(), SkewedTarget(), 5).worst, 1);
+}
+
+TEST(Invariance, is_lost_without_the_jacobian) {
+  EXPECT_GT(after_transitions(*make_mala(), SkewedTarget(/*with_jacobian=*/false), 5).worst, 1);
+}
+
+}  // namespace
+}  // namespace patina

@@ -1,0 +1,170 @@
+#include "engine/sampling/map_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/sampling/targets.h"
+
+namespace patina {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Two narrow modes far apart, under the prior N(0, I): at level 0 at -1.5 everywhere, at level 1 at `offset`
+/// + 1.5 and taller by 5. The second discrete coordinate is worth 2 at level 3.
+FunctionTarget two_modes(double offset = 0) {
+  return {
+      3,
+      [=](const Position& position) {
+        const Eigen::VectorXd& x = position.continuous;
+        const bool tall = position.discrete[0] == 1;
+        const Eigen::VectorXd residual = x.array() - (tall ? 1.5 + offset : -1.5);
+        const double bonus = 5 * tall + 2 * (position.discrete[1] == 3);
+        return Evaluation{bonus - 0.5 * x.squaredNorm() - 50 * residual.squaredNorm(), -x - 100 * residual};
+      },
+      {2, 4}};
+}
+
+TEST(SearchMap, finds_the_taller_of_two_modes_and_the_best_levels) {
+  const FunctionTarget target = two_modes();
+  for (const int seed : {1, 2, 3, 4, 5}) {
+    Rng rng(seed);
+    const MapSearchResult found = search_map({&target}, rng);
+    EXPECT_EQ(found.best.position.discrete, Eigen::Vector2i(1, 3)) << "seed " << seed;
+    // The mode of N(0, 1) times N(1.5, 0.1^2): 1.5 * 100 / 101.
+    EXPECT_TRUE(found.best.position.continuous.isApprox(Eigen::VectorXd::Constant(3, 150.0 / 101), 1e-3));
+  }
+}
+
+TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
+  const FunctionTarget target = two_modes();
+  MapSearchSettings settings;
+  settings.prior_draws = 0;
+  settings.finalists = 1;
+  for (const int seed : {1, 2, 3, 4, 5}) {
+    Rng rng(seed);
+    EXPECT_EQ(search_map({&target}, rng, settings).best.position.discrete[1], 3) << "seed " << seed;
+  }
+}
+
+TEST(SearchMap, ends_on_the_finest_target) {
+  const FunctionTarget coarse = two_modes(0.2), fine = two_modes(0);
+  Rng rng(6);
+  const MapSearchResult found = search_map({&coarse, &fine}, rng);
+  EXPECT_TRUE(found.best.position.continuous.isApprox(Eigen::VectorXd::Constant(3, 150.0 / 101), 1e-3));
+  EXPECT_EQ(found.best.evaluation.log_density, fine.evaluate(found.best.position).log_density);
+}
+
+TEST(SearchMap, returns_distinct_basins_best_first) {
+  const FunctionTarget target = two_modes();
+  Rng rng(7);
+  MapSearchSettings settings;
+  settings.finalists = 3;
+  const MapSearchResult found = search_map({&target}, rng, settings);
+  ASSERT_GE(found.basins.size(), 2u);
+  EXPECT_EQ(found.best.evaluation.log_density, found.basins.front().evaluation.log_density);
+  for (std::size_t i = 1; i < found.basins.size(); ++i) {
+    const Position &a = found.basins[i - 1].position, &b = found.basins[i].position;
+    EXPECT_GE(found.basins[i - 1].evaluation.log_density, found.basins[i].evaluation.log_density);
+    EXPECT_TRUE(a.discrete != b.discrete || (a.continuous - b.continuous).norm() > 0.3);
+  }
+}
+
+TEST(SearchMap, is_decided_by_its_seed) {
+  const FunctionTarget target = two_modes();
+  Rng first(8), second(8);
+  EXPECT_EQ(search_map({&target}, first).best.position.continuous,
+            search_map({&target}, second).best.position.continuous);
+  EXPECT_EQ(first.position(), second.position());
+}
+
+TEST(SearchMap, reports_progress_from_nothing_to_all_and_a_best_that_is_where_it_says) {
+  const FunctionTarget target = two_modes();
+  std::vector<double> fractions;
+  MapSearchSettings settings;
+  settings.progress = [&](double fraction, const Position& best, double log_density) {
+    fractions.push_back(fraction);
+    EXPECT_EQ(log_density, target.evaluate(best).log_density);
+  };
+  Rng rng(9);
+  search_map({&target}, rng, settings);
+  ASSERT_FALSE(fractions.empty());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.front(), 0);
+  EXPECT_LE(fractions.back(), 1);
+}
+
+TEST(SearchMap, stops_within_one_iteration_and_still_answers_for_the_finest_target) {
+  const FunctionTarget fine = two_modes();
+  for (const int allowed : {0, 1, 30, 66, 80, 150}) {
+    bool stop = allowed == 0;
+    int coarse_evaluations = 0, late = 0;
+    const FunctionTarget coarse(3,
+                                [&](const Position& position) {
+                                  late += stop;
+                                  stop = stop || ++coarse_evaluations >= allowed;
+                                  return fine.evaluate(position);
+                                },
+                                {2, 4});
+    MapSearchSettings settings;
+    settings.stop_requested = [&] { return stop; };
+    Rng rng(10);
+    const MapSearchResult found = search_map({&coarse, &fine}, rng, settings);
+    EXPECT_LE(late, 20) << "allowed " << allowed;  // one line search
+    EXPECT_EQ(found.best.evaluation.log_density, fine.evaluate(found.best.position).log_density);
+  }
+}
+
+TEST(SearchMap, copes_with_candidates_without_density) {
+  const FunctionTarget narrow(2, [](const Position& position) {
+    const Eigen::VectorXd& x = position.continuous;
+    if (x[0] < 0.5) return Evaluation{-kInfinity, Eigen::VectorXd::Zero(2)};
+    return Evaluation{-0.5 * x.squaredNorm(), -x};
+  });
+  Rng rng(11);
+  const MapSearchResult found = search_map({&narrow}, rng);
+  EXPECT_NEAR(found.best.evaluation.log_density, -0.125, 0.01);
+}
+
+TEST(SearchMap, returns_the_priors_mode_where_nothing_has_density) {
+  const FunctionTarget nowhere(2,
+                               [](const Position&) {
+                                 return Evaluation{-kInfinity, Eigen::VectorXd::Zero(2)};
+                               },
+                               {3});
+  Rng rng(12);
+  const MapSearchResult found = search_map({&nowhere, &nowhere}, rng);
+  EXPECT_EQ(found.best.position.continuous, Eigen::VectorXd::Zero(2));
+  EXPECT_EQ(found.best.evaluation.log_density, -kInfinity);
+}
+
+TEST(LaplaceCovariance, of_a_gaussian_is_its_covariance) {
+  const Eigen::MatrixXd covariance = some_covariance(5);
+  const GaussianTarget target(Eigen::VectorXd::Ones(5), covariance);
+  EXPECT_TRUE(laplace_covariance(target, {Eigen::VectorXd::Ones(5), {}}).isApprox(covariance, 1e-9));
+}
+
+TEST(LaplaceCovariance, is_floored_where_the_density_is_flat_or_curves_up) {
+  const FunctionTarget saddle(2, [](const Position& position) {
+    const Eigen::VectorXd& x = position.continuous;
+    return Evaluation{x[0] * x[0] - 0.5 * x[1] * x[1], Eigen::Vector2d(2 * x[0], -x[1])};
+  });
+  const Eigen::Matrix2d expected = Eigen::Vector2d(4, 1).asDiagonal();
+  EXPECT_TRUE(laplace_covariance(saddle, {Eigen::VectorXd::Zero(2), {}}).isApprox(expected, 1e-9));
+}
+
+TEST(LaplaceCovariance, looks_to_one_side_at_the_edge_of_the_support) {
+  const FunctionTarget half(1, [](const Position& position) {
+    const double x = position.continuous[0];
+    if (x < 0) return Evaluation{-kInfinity, Eigen::VectorXd::Zero(1)};
+    return Evaluation{-x - 2 * x * x, Eigen::VectorXd::Constant(1, -1 - 4 * x)};
+  });
+  EXPECT_NEAR(laplace_covariance(half, {Eigen::VectorXd::Zero(1), {}})(0, 0), 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace patina

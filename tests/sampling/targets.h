@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "engine/sampling/chain_state.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+/// N(mean, covariance).
+class GaussianTarget final : public LogDensity {
+ public:
+  GaussianTarget(Eigen::VectorXd mean, const Eigen::MatrixXd& covariance)
+      : mean_(std::move(mean)), precision_(covariance.inverse()) {}
+
+  Eigen::Index dimension() const override { return mean_.size(); }
+
+  Evaluation evaluate(const Position& position) const override {
+    const Eigen::VectorXd offset = position.continuous - mean_;
+    const Eigen::VectorXd gradient = -precision_ * offset;
+    return {0.5 * offset.dot(gradient), gradient};
+  }
+
+ private:
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd precision_;
+};
+
+/// A log density written as a lambda.
+class FunctionTarget final : public LogDensity {
+ public:
+  using Function = std::function<Evaluation(const Position&)>;
+
+  FunctionTarget(Eigen::Index dimension, Function function, std::vector<int> levels = {})
+      : dimension_(dimension), function_(std::move(function)), levels_(std::move(levels)) {}
+
+  Eigen::Index dimension() const override { return dimension_; }
+  std::vector<int> discrete_levels() const override { return levels_; }
+  Evaluation evaluate(const Position& position) const override { return function_(position); }
+
+ private:
+  Eigen::Index dimension_;
+  Function function_;
+  std::vector<int> levels_;
+};
+
+inline ChainState state_at(const LogDensity& target, Position position) {
+  Evaluation evaluation = target.evaluate(position);
+  return {std::move(position), std::move(evaluation)};
+}
+
+inline KernelSettings settings_with(double step_size, const Eigen::MatrixXd& covariance) {
+  return {step_size, std::make_shared<const Metric>(covariance)};
+}
+
+/// Symmetric and positive definite, condition number about ten.
+inline Eigen::MatrixXd some_covariance(Eigen::Index n) {
+  Eigen::MatrixXd root(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) root(i, j) = std::sin(1.0 + 3.0 * i + 7.0 * j) / n;
+  return root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
+}
+
+}  // namespace patina

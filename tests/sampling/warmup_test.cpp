@@ -1,0 +1,127 @@
+#include "engine/sampling/warmup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/sampling/kernels.h"
+#include "tests/sampling/targets.h"
+
+namespace patina {
+namespace {
+
+TEST(WarmupSchedule, covers_every_iteration_once_and_in_order) {
+  for (int n : {0, 1, 5, 19, 20, 21, 100, 149, 150, 151, 500, 1000, 10000}) {
+    int next = 0;
+    for (const WarmupWindow& window : warmup_schedule(n)) {
+      EXPECT_EQ(window.begin, next) << "of " << n;
+      EXPECT_GT(window.end, window.begin) << "of " << n;
+      next = window.end;
+    }
+    EXPECT_EQ(next, n);
+  }
+}
+
+TEST(WarmupSchedule, of_a_thousand_is_stans) {
+  std::vector<std::pair<int, bool>> ends;
+  for (const WarmupWindow& window : warmup_schedule(1000))
+    ends.emplace_back(window.end, window.adapts_metric);
+  const std::vector<std::pair<int, bool>> expected{{75, false}, {100, true}, {150, true},  {250, true},
+                                                   {450, true}, {950, true}, {1000, false}};
+  EXPECT_EQ(ends, expected);
+}
+
+TEST(WarmupSchedule, ends_with_the_step_size_alone) {
+  for (int n : {1, 20, 100, 500}) EXPECT_FALSE(warmup_schedule(n).back().adapts_metric) << n;
+}
+
+/// Dual averaging against a made-up kernel whose acceptance falls with the step: a(step) = exp(-step /
+/// scale).
+TEST(StepSizeAdaptation, solves_acceptance_equal_to_target_on_a_known_curve) {
+  for (const double scale : {1e-3, 1.0, 50.0}) {
+    StepSizeAdaptation adaptation(1, 0.574);
+    for (int t = 0; t < 5000; ++t) adaptation.observe(std::exp(-adaptation.step_size() / scale));
+    EXPECT_NEAR(adaptation.averaged_step_size() / (-scale * std::log(0.574)), 1, 0.02);
+  }
+}
+
+TEST(StepSizeAdaptation, takes_not_a_number_for_a_rejection) {
+  StepSizeAdaptation with_nan(0.5, 0.574), with_zero(0.5, 0.574);
+  with_nan.observe(std::numeric_limits<double>::quiet_NaN());
+  with_zero.observe(0);
+  EXPECT_EQ(with_nan.step_size(), with_zero.step_size());
+  with_nan.restart(0.5);
+  EXPECT_DOUBLE_EQ(with_nan.step_size(), 0.5);
+  EXPECT_DOUBLE_EQ(with_nan.averaged_step_size(), 0.5);
+}
+
+TEST(ChainWarmup, reaches_the_target_acceptance_of_mala_on_a_gaussian) {
+  const GaussianTarget target(Eigen::VectorXd::Zero(8), some_covariance(8));
+  const auto kernel = make_mala();
+  ChainWarmup warmup(settings_with(0.01, some_covariance(8)), kernel->target_acceptance());
+  Rng rng(61);
+  ChainState state = state_at(target, {Eigen::VectorXd::Zero(8), {}});
+  for (int t = 0; t < 1500; ++t) warmup.observe(state, kernel->step(target, warmup.settings(), state, rng));
+  double acceptance = 0;
+  constexpr int draws = 4000;
+  for (int t = 0; t < draws; ++t)
+    acceptance += kernel->step(target, warmup.frozen(), state, rng).accept_probability / draws;
+  EXPECT_NEAR(acceptance, 0.574, 0.04);
+}
+
+TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
+  ChainWarmup warmup(settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), 0.574);
+  const ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
+  TransitionInfo info;
+  info.move = MoveKind::discrete;
+  for (int t = 0; t < 10; ++t) warmup.observe(state, info);
+  EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.3);
+  EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.3);
+  EXPECT_EQ(warmup.take_positions().cols(), 10);
+  EXPECT_EQ(warmup.take_positions().cols(), 0) << "taken twice";
+}
+
+TEST(ChainWarmup, restarts_the_step_size_when_it_gets_a_metric) {
+  ChainWarmup warmup(settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), 0.574);
+  const ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
+  TransitionInfo info;
+  info.accept_probability = 0.9;
+  for (int t = 0; t < 10; ++t) warmup.observe(state, info);
+  const double averaged = warmup.frozen().step_size;
+  const auto metric = std::make_shared<const Metric>(Eigen::MatrixXd::Constant(1, 1, 4));
+  warmup.set_metric(metric);
+  EXPECT_DOUBLE_EQ(warmup.settings().step_size, averaged);
+  EXPECT_EQ(warmup.settings().metric, metric);
+  EXPECT_EQ(warmup.frozen().metric, metric);
+}
+
+TEST(PooledCovariance, is_the_shrunk_within_chain_covariance) {
+  // Two chains about far-apart means, each with covariance diag(2, 0) by hand: (+-1 about the mean, ddof 1).
+  Eigen::MatrixXd first(2, 2), second(2, 2);
+  first << 9, 11, 1, 1;
+  second << -1, 1, 5, 5;
+  Eigen::Matrix2d expected = Eigen::Vector2d(4.0 / 9 * 2, 0).asDiagonal();
+  expected += 1e-3 * 5 / 9 * Eigen::Matrix2d::Identity();
+  EXPECT_TRUE(pooled_covariance({first, second}).isApprox(expected, 1e-14));
+}
+
+TEST(PooledCovariance, estimates_the_covariance_of_many_draws) {
+  const Metric truth(some_covariance(4));
+  Rng rng(62);
+  std::vector<Eigen::MatrixXd> chains(4, Eigen::MatrixXd(4, 5000));
+  for (Eigen::MatrixXd& chain : chains)
+    for (auto column : chain.colwise()) column = truth.colour(rng.normals(4));
+  EXPECT_LT((pooled_covariance(chains) - truth.covariance()).norm() / truth.covariance().norm(), 0.05);
+}
+
+TEST(PooledCovariance, makes_a_metric_however_little_was_seen) {
+  const Eigen::MatrixXd one_draw = Eigen::MatrixXd::Ones(3, 1);
+  EXPECT_NO_THROW(Metric{pooled_covariance({one_draw})});
+  EXPECT_NO_THROW(Metric{pooled_covariance({one_draw, Eigen::MatrixXd()})});
+}
+
+}  // namespace
+}  // namespace patina
