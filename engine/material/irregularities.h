@@ -29,6 +29,9 @@ class Irregularities {
   /// Voronoi cells: 0 on the edges, 1 inside, [1, 1, kMapSize, kMapSize], periodic.
   at::Tensor cells(int choice) const;
 
+  /// cells(cell_choice) and noise(noise_choice) as the two channels of one map, [1, 2, kMapSize, kMapSize].
+  at::Tensor cells_and_noise(int cell_choice, int noise_choice) const;
+
  private:
   struct Cache;
   std::unique_ptr<Cache> cache_;

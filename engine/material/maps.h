@@ -10,9 +10,9 @@ namespace patina {
 
 /// A lobe of a surface as plain images (see surface.h for the model).
 struct LobeMaps {
-  Image normal;                ///< 3 channels, unit vectors
-  Image roughness;             ///< 2 channels: x, y
-  std::array<float, 3> f0{};   ///< linear RGB
+  Image normal;               ///< 3 channels, unit vectors
+  Image roughness;            ///< 2 channels: x, y
+  std::array<float, 3> f0{};  ///< linear RGB
 };
 
 /// A surface as plain images: what the preview shades and the export writes. Crosses threads freely.

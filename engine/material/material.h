@@ -23,8 +23,8 @@ class Material {
   /// @param discrete    a level for each of table().discrete
   /// @param z           the irregularities; the same z gives the same surface at any resolution
   /// @param resolution  n, pixels a side
-  virtual Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,
-                          const Capture& capture, int resolution) const = 0;
+  virtual Surface surface(const at::Tensor& parameters, std::span<const int> discrete,
+                          const Irregularities& z, const Capture& capture, int resolution) const = 0;
 };
 
 }  // namespace patina

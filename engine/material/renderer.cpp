@@ -1,0 +1,81 @@
+#include "engine/material/renderer.h"
+
+#include <ATen/core/Tensor.h>
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/stack.h>
+#include <ATen/ops/tensor.h>
+
+#include <cassert>
+#include <cstring>
+
+#include "engine/material/material.h"
+#include "engine/material/registry.h"
+#include "engine/material/shading.h"
+
+namespace patina {
+namespace {
+
+/// An interleaved image of [c, h, w], repeated to n x n where a side is 1.
+Image to_image(const at::Tensor& planes, int n) {
+  const std::int64_t channels = planes.size(0);
+  const at::Tensor pixels = planes.expand({channels, n, n}).permute({1, 2, 0}).to(at::kFloat).contiguous();
+  Image image(n, n, static_cast<int>(channels));
+  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
+  return image;
+}
+
+at::Tensor as_plane(const at::Tensor& scalar_or_plane, int n) { return scalar_or_plane.expand({n, n}); }
+
+LobeMaps to_maps(const Lobe& lobe, int n) {
+  // A uniform F0 is all that the models have; the maps carry it as three numbers.
+  const at::Tensor f0 = lobe.f0.reshape({3, -1}).select(1, 0).to(at::kFloat).contiguous();
+  LobeMaps maps;
+  maps.normal = to_image(lobe.normal, n);
+  maps.roughness = to_image(at::stack({as_plane(lobe.roughness_x, n), as_plane(lobe.roughness_y, n)}), n);
+  std::memcpy(maps.f0.data(), f0.data_ptr<float>(), sizeof maps.f0);
+  return maps;
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  std::shared_ptr<const Material> material;
+  Irregularities z;
+  Capture capture;
+
+  Surface surface(const ParameterValues& values, int resolution) const {
+    assert(values.continuous.size() == material->table().continuous.size());
+    assert(values.discrete.size() == material->table().discrete.size());
+    return material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture,
+                             resolution);
+  }
+};
+
+Renderer::Renderer(const std::string& material, std::uint64_t z_seed, Capture capture)
+    : parts_(new Parts{make_material(material), Irregularities(z_seed), capture}) {}
+
+Renderer::~Renderer() = default;
+
+const ParameterTable& Renderer::table() const { return parts_->material->table(); }
+
+MaterialMaps Renderer::maps(const ParameterValues& values, int resolution) const {
+  const at::NoGradGuard no_grad;
+  const Surface surface = parts_->surface(values, resolution);
+  MaterialMaps maps;
+  maps.base_color = to_image(surface.base_color, resolution);
+  maps.height = to_image(surface.height.unsqueeze(0), resolution);
+  maps.normal = to_image(surface.normal, resolution);
+  for (const Lobe& lobe : surface.lobes) maps.lobes.push_back(to_maps(lobe, resolution));
+  maps.light = surface.light.item<float>();
+  maps.vignette_sigma = surface.vignette_sigma.item<float>();
+  maps.capture = parts_->capture;
+  return maps;
+}
+
+Image Renderer::render(const ParameterValues& values, int resolution, DisplayCurve curve) const {
+  const at::NoGradGuard no_grad;
+  const Surface surface = parts_->surface(values, resolution);
+  return to_image(display(shade(surface, parts_->capture, resolution), curve), resolution);
+}
+
+}  // namespace patina
