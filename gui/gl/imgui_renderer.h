@@ -1,0 +1,36 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+
+#include "gui/gl/objects.h"
+
+namespace patina {
+
+/// Draws what Dear ImGui has laid out. Belongs to the current ImGui context; the windows own one each.
+class ImguiRenderer {
+ public:
+  explicit ImguiRenderer(const Gl& gl);
+
+  /// Draws into the bound framebuffer, whose row 0 is at the bottom (the window's). The first call uploads
+  /// the font atlas.
+  void render(const ImDrawData& data);
+
+  /// To be called after the fonts of ImGui's atlas have been replaced.
+  void upload_fonts();
+
+ private:
+  void begin(const ImDrawData& data);
+  void draw(const ImDrawData& data, const ImDrawCmd& command);
+
+  Program program_;
+  VertexArray layout_;
+  Buffer vertices_, indices_;
+  std::optional<Texture> fonts_;
+};
+
+/// Adds an image whose colours are already multiplied by their opacity, as a PointRenderer makes them.
+void add_premultiplied_image(ImDrawList& list, ImTextureID texture, ImVec2 top_left, ImVec2 bottom_right);
+
+}  // namespace patina

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gui/gl/density_grid.h"
+#include "gui/gl/objects.h"
+
+namespace patina {
+
+/// A point of a scatter plot.
+struct PlotPoint {
+  double x = 0, y = 0;      ///< data units
+  std::uint32_t color = 0;  ///< as ImU32: red in the lowest byte, not premultiplied
+  bool dimmed = false;      ///< a warm-up draw: fainter and beneath notice
+};
+
+struct PointStyle {
+  float diameter = 4;                   ///< pixels
+  std::size_t density_above = 100'000;  ///< from this many points on, a map of their density is shown instead
+  bool operator==(const PointStyle&) const = default;
+};
+
+/// The cloud of a scatter plot, kept in a texture: points that are appended are drawn on top of what is
+/// there; all is redrawn only when the view changes. Points are taken to pixels in double, so that no zoom
+/// makes them tremble.
+class PointRenderer {
+ public:
+  /// @throws UserError if the shaders are missing or do not compile
+  explicit PointRenderer(const Gl& gl, const PointStyle& style = {});
+
+  /// Which part of the plane the texture shows, y upwards, and its size in pixels. Cheap if nothing changes.
+  void set_view(const PlotWindow& window, int width, int height);
+  void set_style(const PointStyle& style);
+
+  void append(std::span<const PlotPoint> points);
+  void clear();
+  std::size_t size() const { return points_.size(); }
+
+  /// Draws what is new, if anything; returns whether the texture changed. set_view() comes first.
+  bool render();
+
+  /// Transparent where there is nothing; premultiplied: show it by add_premultiplied_image().
+  const Texture& texture() const { return target_->texture(); }
+  Image read() const { return target_->read(); }
+
+  bool shows_density() const { return points_.size() > style_.density_above; }
+  /// Points in the fullest cell of the density map (the top of its colour scale), and in all cells: those in
+  /// view.
+  std::uint32_t density_peak() const { return density_.peak(); }
+  std::uint64_t density_total() const { return density_.total(); }
+
+ private:
+  void draw_points(std::span<const PlotPoint> points);
+  void draw_density();
+
+  const Gl& gl_;
+  PointStyle style_;
+  Program point_program_, density_program_;
+  VertexArray point_layout_, empty_;
+  Buffer vertices_;
+  std::vector<PlotPoint> points_;
+  std::size_t drawn_ = 0;  ///< points_[0, drawn_) are in the texture
+  bool stale_ = true;      ///< all has to be drawn anew
+  PlotWindow window_;
+  DensityGrid density_;
+  std::optional<Texture> density_texture_;
+  std::optional<Framebuffer> target_;
+};
+
+}  // namespace patina
