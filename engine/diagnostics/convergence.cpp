@@ -33,7 +33,12 @@ double split_ess(ChainDraws draws) {
   return constant(draws) ? static_cast<double>(draws.size()) : effective_sample_size(split_chains(draws));
 }
 
-Eigen::MatrixXd at_most(ChainDraws draws, double bound) { return (draws.array() <= bound).cast<double>(); }
+/// ESS of the share of draws up to the quantile.
+double quantile_ess(ChainDraws draws, double probability) {
+  std::vector<double> values = pooled_values(draws);
+  const double bound = quantile_of(values, probability);
+  return split_ess((draws.array() <= bound).cast<double>());
+}
 
 /// The x with I_x(a, b) = probability, by bisection to the last bit.
 double beta_quantile(double a, double b, double probability) {
@@ -48,7 +53,8 @@ double beta_quantile(double a, double b, double probability) {
 double split_rhat(ChainDraws draws) {
   if (!defined(draws) || constant(draws)) return kNaN;
   const Eigen::MatrixXd split = split_chains(draws);
-  const double median = sorted_quantile(sorted_values(split), 0.5);
+  std::vector<double> values = pooled_values(split);
+  const double median = quantile_of(values, 0.5);
   const Eigen::MatrixXd folded = (split.array() - median).abs();
   // Two values alone fold onto one: then there is no spread to compare, and fmax drops the NaN.
   return std::fmax(basic_rhat(rank_normalise(split)), basic_rhat(rank_normalise(folded)));
@@ -62,9 +68,7 @@ double bulk_ess(ChainDraws draws) {
 
 double tail_ess(ChainDraws draws) {
   if (!defined(draws)) return kNaN;
-  const std::vector<double> sorted = sorted_values(draws);
-  return std::min(split_ess(at_most(draws, sorted_quantile(sorted, 0.05))),
-                  split_ess(at_most(draws, sorted_quantile(sorted, 0.95))));
+  return std::min(quantile_ess(draws, 0.05), quantile_ess(draws, 0.95));
 }
 
 double mean_ess(ChainDraws draws) { return defined(draws) ? split_ess(draws) : kNaN; }
@@ -87,20 +91,22 @@ double mcse_sd(ChainDraws draws) {
 }
 
 double mcse_quantile(ChainDraws draws, double probability) {
-  if (!defined(draws)) return kNaN;
-  const std::vector<double> sorted = sorted_values(draws);
-  const double ess = split_ess(at_most(draws, sorted_quantile(sorted, probability)));
+  if (!defined(draws) || !(probability >= 0 && probability <= 1)) return kNaN;
+  const double ess = quantile_ess(draws, probability);
   const double a = probability * ess + 1, b = (1 - probability) * ess + 1;
-  const auto size = static_cast<double>(sorted.size());
+  const auto size = static_cast<double>(draws.size());
   // One standard deviation of a normal to either side, with the digits of the R package posterior.
   const double low = std::max(std::floor(beta_quantile(a, b, 0.1586553) * size), 1.0);
   const double high = std::min(std::ceil(beta_quantile(a, b, 0.8413447) * size), size);
-  return (sorted[static_cast<std::size_t>(high) - 1] - sorted[static_cast<std::size_t>(low) - 1]) / 2;
+  std::vector<double> values = pooled_values(draws);
+  const double at_low = order_statistic(values, static_cast<std::size_t>(low) - 1);
+  return (order_statistic(values, static_cast<std::size_t>(high) - 1) - at_low) / 2;
 }
 
 double quantile(ChainDraws draws, double probability) {
   if (!defined(draws) || !(probability >= 0 && probability <= 1)) return kNaN;
-  return sorted_quantile(sorted_values(draws), probability);
+  std::vector<double> values = pooled_values(draws);
+  return quantile_of(values, probability);
 }
 
 double ebfmi(const Eigen::Ref<const Eigen::VectorXd>& energy) {

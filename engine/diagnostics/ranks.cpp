@@ -32,19 +32,25 @@ Eigen::MatrixXd rank_normalise(const Eigen::MatrixXd& draws) {
   return scores;
 }
 
-std::vector<double> sorted_values(const Eigen::Ref<const Eigen::MatrixXd>& draws) {
+std::vector<double> pooled_values(const Eigen::Ref<const Eigen::MatrixXd>& draws) {
   std::vector<double> values;
   values.reserve(draws.size());
   for (const auto chain : draws.colwise()) values.insert(values.end(), chain.begin(), chain.end());
-  std::sort(values.begin(), values.end());
   return values;
 }
 
-double sorted_quantile(const std::vector<double>& sorted, double probability) {
-  const double place = probability * static_cast<double>(sorted.size() - 1);
+double order_statistic(std::vector<double>& values, std::size_t index) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double quantile_of(std::vector<double>& values, double probability) {
+  const double place = probability * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(std::floor(place));
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
+  const double low = order_statistic(values, below);
+  const double high = order_statistic(values, std::min(below + 1, values.size() - 1));
+  return low + (place - std::floor(place)) * (high - low);
 }
 
 }  // namespace patina

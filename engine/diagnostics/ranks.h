@@ -15,10 +15,15 @@ Eigen::MatrixXd split_chains(const Eigen::Ref<const Eigen::MatrixXd>& draws);
 /// their average rank. Same shape as draws.
 Eigen::MatrixXd rank_normalise(const Eigen::MatrixXd& draws);
 
-std::vector<double> sorted_values(const Eigen::Ref<const Eigen::MatrixXd>& draws);
+/// All draws in one row, chain after chain.
+std::vector<double> pooled_values(const Eigen::Ref<const Eigen::MatrixXd>& draws);
 
-/// Type 7 of Hyndman & Fan 1996 (R's and NumPy's default): linear between order statistics.
-/// @param sorted  ascending, not empty   @param probability  in [0, 1]
-double sorted_quantile(const std::vector<double>& sorted, double probability);
+/// The value that would be at `index` were the values sorted; reorders them (linear time).
+double order_statistic(std::vector<double>& values, std::size_t index);
+
+/// Type 7 of Hyndman & Fan 1996 (R's and NumPy's default): linear between order statistics. Reorders the
+/// values.
+/// @param values  not empty   @param probability  in [0, 1]
+double quantile_of(std::vector<double>& values, double probability);
 
 }  // namespace patina

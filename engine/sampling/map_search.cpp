@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
 
@@ -57,7 +58,9 @@ class Search {
     sort_best_first(results);
     results = distinct(results, finalist_count());
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
-    return stopped() ? best_so_far() : MapSearchResult{results.front(), results};
+    if (stopped()) return best_so_far();
+    report(results.front(), total_ - done_);
+    return {results.front(), results};
   }
 
  private:

@@ -2,12 +2,15 @@
 
 #include <lbfgs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <new>
+#include <string>
+#include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
 

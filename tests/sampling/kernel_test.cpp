@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "engine/sampling/kernels.h"
 #include "tests/sampling/targets.h"

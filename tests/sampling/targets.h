@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
