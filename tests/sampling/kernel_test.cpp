@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/metropolis.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -42,6 +43,17 @@ TEST(Kernel, never_accepts_what_is_not_finite_and_says_so) {
     }
     EXPECT_GT(divergent, 20) << "value " << value << ", gradient " << gradient;
   }
+}
+
+TEST(MetropolisStep, never_accepts_a_ratio_that_is_not_a_number_nor_one_place_without_density_for_another) {
+  const ChainState somewhere{{Eigen::VectorXd::Zero(1), {}}, {-1, Eigen::VectorXd::Zero(1)}};
+  const ChainState nowhere{{Eigen::VectorXd::Ones(1), {}}, {-kInfinity, Eigen::VectorXd::Zero(1)}};
+  Rng rng(60);
+  ChainState state = somewhere;
+  EXPECT_EQ(metropolis_step(MoveKind::continuous, kNaN, 1000, somewhere, state, rng).accept_probability, 0);
+  state = nowhere;
+  EXPECT_FALSE(metropolis_step(MoveKind::continuous, kInfinity, 1000, nowhere, state, rng).accepted);
+  EXPECT_TRUE(metropolis_step(MoveKind::continuous, kInfinity, 1000, somewhere, state, rng).accepted);
 }
 
 TEST(Kernel, never_accepts_a_level_without_density) {

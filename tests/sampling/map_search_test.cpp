@@ -98,7 +98,7 @@ TEST(SearchMap, reports_progress_from_nothing_to_all_and_a_best_that_is_where_it
 }
 
 TEST(SearchMap, stops_within_one_iteration_and_still_answers_for_the_finest_target) {
-  const FunctionTarget fine = two_modes();
+  const FunctionTarget fine = two_modes(), shifted = two_modes(0.2);
   for (const int allowed : {0, 1, 30, 66, 80, 150}) {
     bool stop = allowed == 0;
     int coarse_evaluations = 0, late = 0;
@@ -106,7 +106,7 @@ TEST(SearchMap, stops_within_one_iteration_and_still_answers_for_the_finest_targ
                                 [&](const Position& position) {
                                   late += stop;
                                   stop = stop || ++coarse_evaluations >= allowed;
-                                  return fine.evaluate(position);
+                                  return shifted.evaluate(position);
                                 },
                                 {2, 4});
     MapSearchSettings settings;

@@ -86,5 +86,15 @@ TEST(Rng, integers_below_a_number_are_equally_likely) {
   }
 }
 
+// 2^32 words do not divide evenly among 3 * 2^29 integers: taken as they come, every third would be a quarter
+// rarer.
+TEST(Rng, integers_below_a_large_number_are_equally_likely) {
+  Rng rng(14);
+  constexpr int draws = 60000;
+  std::array<int, 3> counts{};
+  for (int i = 0; i < draws; ++i) ++counts[rng.below(3 << 29) % 3];
+  for (const int count : counts) EXPECT_LE(std::abs(count - draws / 3), 5 * std::sqrt(draws * 2.0 / 9));
+}
+
 }  // namespace
 }  // namespace patina

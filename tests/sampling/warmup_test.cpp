@@ -25,13 +25,20 @@ TEST(WarmupSchedule, covers_every_iteration_once_and_in_order) {
   }
 }
 
-TEST(WarmupSchedule, of_a_thousand_is_stans) {
-  std::vector<std::pair<int, bool>> ends;
-  for (const WarmupWindow& window : warmup_schedule(1000))
-    ends.emplace_back(window.end, window.adapts_metric);
-  const std::vector<std::pair<int, bool>> expected{{75, false}, {100, true}, {150, true},  {250, true},
-                                                   {450, true}, {950, true}, {1000, false}};
-  EXPECT_EQ(ends, expected);
+TEST(WarmupSchedule, is_stans) {
+  using Ends = std::vector<std::pair<int, bool>>;
+  const auto ends = [](int iterations) {
+    Ends ends;
+    for (const WarmupWindow& window : warmup_schedule(iterations))
+      ends.emplace_back(window.end, window.adapts_metric);
+    return ends;
+  };
+  EXPECT_EQ(
+      ends(1000),
+      (Ends{{75, false}, {100, true}, {150, true}, {250, true}, {450, true}, {950, true}, {1000, false}}));
+  EXPECT_EQ(ends(800), (Ends{{75, false}, {100, true}, {150, true}, {250, true}, {750, true}, {800, false}}))
+      << "a window of 200 would leave too little for one of 400";
+  EXPECT_EQ(ends(100), (Ends{{15, false}, {90, true}, {100, false}}));
 }
 
 TEST(WarmupSchedule, ends_with_the_step_size_alone) {
@@ -46,6 +53,20 @@ TEST(StepSizeAdaptation, solves_acceptance_equal_to_target_on_a_known_curve) {
     for (int t = 0; t < 5000; ++t) adaptation.observe(std::exp(-adaptation.step_size() / scale));
     EXPECT_NEAR(adaptation.averaged_step_size() / (-scale * std::log(0.574)), 1, 0.02);
   }
+}
+
+TEST(StepSizeAdaptation, takes_the_published_steps) {
+  // Hoffman & Gelman 2014, equation 6 with the error of one, then two observations, and mu = log(10 * 0.5).
+  StepSizeAdaptation adaptation(0.5, 0.574);
+  adaptation.observe(0.9);
+  const double first = std::log(5.0) - 1 / 0.05 * (0.574 - 0.9) / 11;
+  EXPECT_NEAR(std::log(adaptation.step_size()), first, 1e-12);
+  EXPECT_NEAR(std::log(adaptation.averaged_step_size()), first, 1e-12);
+  adaptation.observe(0.2);
+  const double second = std::log(5.0) - std::sqrt(2) / 0.05 * (2 * 0.574 - 0.9 - 0.2) / 12;
+  EXPECT_NEAR(std::log(adaptation.step_size()), second, 1e-12);
+  const double weight = std::pow(2, -0.75);
+  EXPECT_NEAR(std::log(adaptation.averaged_step_size()), weight * second + (1 - weight) * first, 1e-12);
 }
 
 TEST(StepSizeAdaptation, takes_not_a_number_for_a_rejection) {
