@@ -10,8 +10,8 @@
 namespace patina {
 
 /// A window in memory, drawn in software by OSMesa: for tests and for pictures without a display. Input is
-/// queued by the calls below and taken by begin_frame() as a hand would give it: at most one press or release
-/// a frame. Every frame advances ImGui's clock by 1/60 s.
+/// queued by the calls below and taken by begin_frame(), one event a frame, so that no press is lost. Every
+/// frame advances ImGui's clock by 1/60 s.
 class OffscreenWindow : public Window {
  public:
   /// @throws UserError if OSMesa gives no OpenGL 3.3

@@ -21,9 +21,10 @@ class ImguiRenderer {
   void upload_fonts();
 
  private:
-  void begin(const ImDrawData& data);
-  void draw(const ImDrawData& data, const ImDrawCmd& command);
+  void begin(const ImDrawData& data) const;
+  void draw(const ImDrawData& data, const ImDrawCmd& command) const;
 
+  const Gl& gl_;
   Program program_;
   VertexArray layout_;
   Buffer vertices_, indices_;

@@ -73,7 +73,7 @@ class Texture {
   int width_, height_;
 };
 
-/// Vertices or indices on the device. Grows by doubling.
+/// Vertices or indices on the device, rewritten often. Grows by doubling.
 class Buffer {
  public:
   Buffer(const Gl& gl, GLenum target);
@@ -124,8 +124,8 @@ class Program {
   Program(const Gl& gl, const std::string& name, const std::string& vertex_source,
           const std::string& fragment_source);
 
-  /// From shaders/NAME.vert and shaders/NAME.frag of data_directory().
-  static Program load(const Gl& gl, const std::string& name);
+  /// From shaders/VERTEX.vert and shaders/FRAGMENT.frag of data_directory().
+  static Program load(const Gl& gl, const std::string& vertex, const std::string& fragment);
 
   void use() const;
   GLint location(const char* uniform) const;  ///< -1 (which setters ignore) for a uniform that is not used

@@ -53,8 +53,8 @@ class PointRenderer {
   std::uint64_t density_total() const { return density_.total(); }
 
  private:
-  void draw_points(std::span<const PlotPoint> points);
-  void draw_density();
+  void draw_points(std::span<const PlotPoint> fresh);
+  void draw_density(std::span<const PlotPoint> fresh);
 
   const Gl& gl_;
   PointStyle style_;

@@ -1,0 +1,137 @@
+#include "gui/gl/point_renderer.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace patina {
+namespace {
+
+/// What the device sees of a point.
+struct Vertex {
+  float x, y;           ///< pixels from the top left corner
+  std::uint32_t color;  ///< opacity already lowered where dimmed
+};
+
+constexpr float kDimmedOpacity = 0.25f;
+
+std::uint32_t dimmed(std::uint32_t color) {
+  const auto alpha =
+      static_cast<std::uint32_t>(std::lround(kDimmedOpacity * static_cast<float>(color >> 24)));
+  return (color & 0x00ffffffu) | alpha << 24;
+}
+
+/// The points that touch the picture, in pixels.
+std::vector<Vertex> to_pixels(std::span<const PlotPoint> points, const PlotWindow& window, int width,
+                              int height, float margin) {
+  const double x_scale = width / (window.x_high - window.x_low);
+  const double y_scale = height / (window.y_high - window.y_low);
+  std::vector<Vertex> vertices;
+  vertices.reserve(points.size());
+  for (const PlotPoint& point : points) {
+    const double x = (point.x - window.x_low) * x_scale, y = (window.y_high - point.y) * y_scale;
+    const bool near = x > -margin && x < width + margin && y > -margin && y < height + margin;
+    if (!near) continue;
+    vertices.push_back(
+        {static_cast<float>(x), static_cast<float>(y), point.dimmed ? dimmed(point.color) : point.color});
+  }
+  return vertices;
+}
+
+}  // namespace
+
+PointRenderer::PointRenderer(const Gl& gl, const PointStyle& style)
+    : gl_(gl),
+      style_(style),
+      point_program_(Program::load(gl, "points", "points")),
+      density_program_(Program::load(gl, "fullscreen", "density")),
+      point_layout_(gl),
+      empty_(gl),
+      vertices_(gl, GL_ARRAY_BUFFER) {
+  vertices_.bind();
+  point_layout_.attribute(0, 2, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, x));
+  point_layout_.attribute(1, 4, GL_UNSIGNED_BYTE, true, sizeof(Vertex), offsetof(Vertex, color));
+}
+
+void PointRenderer::set_view(const PlotWindow& window, int width, int height) {
+  const bool resized = !target_ || target_->width() != width || target_->height() != height;
+  if (!resized && window == window_) return;
+  window_ = window;
+  stale_ = true;
+  if (!resized) return;
+  target_.emplace(gl_, width, height, TextureFilter::nearest);
+  density_texture_.reset();
+}
+
+void PointRenderer::set_style(const PointStyle& style) {
+  if (style == style_) return;
+  style_ = style;
+  stale_ = true;
+}
+
+void PointRenderer::append(std::span<const PlotPoint> points) {
+  const bool was_density = shows_density();
+  points_.insert(points_.end(), points.begin(), points.end());
+  if (shows_density() != was_density) stale_ = true;
+}
+
+void PointRenderer::clear() {
+  points_.clear();
+  stale_ = true;
+}
+
+bool PointRenderer::render() {
+  assert(target_);
+  if (!stale_ && drawn_ == points_.size()) return false;
+  if (stale_) {
+    drawn_ = 0;
+    density_ = DensityGrid(window_, target_->width(), target_->height());
+    target_->bind();
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  }
+  const auto fresh = std::span<const PlotPoint>(points_).subspan(drawn_);
+  shows_density() ? draw_density(fresh) : draw_points(fresh);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  drawn_ = points_.size();
+  stale_ = false;
+  return true;
+}
+
+void PointRenderer::draw_points(std::span<const PlotPoint> fresh) {
+  const auto vertices = to_pixels(fresh, window_, target_->width(), target_->height(), style_.diameter);
+  if (vertices.empty()) return;
+  vertices_.assign(std::as_bytes(std::span(vertices)));
+  target_->bind();
+  gl_.Enable(GL_BLEND);
+  gl_.BlendEquation(GL_FUNC_ADD);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.Enable(GL_PROGRAM_POINT_SIZE);
+  point_program_.use();
+  gl_.Uniform2f(point_program_.location("extent"), static_cast<float>(target_->width()),
+                static_cast<float>(target_->height()));
+  gl_.Uniform1f(point_program_.location("diameter"), style_.diameter);
+  point_layout_.bind();
+  gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
+  gl_.Disable(GL_PROGRAM_POINT_SIZE);
+  gl_.Disable(GL_BLEND);
+}
+
+void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
+  for (const PlotPoint& point : fresh) density_.add(point.x, point.y);
+  if (density_texture_) {
+    density_texture_->update(density_.counts());
+  } else {
+    density_texture_ = Texture::floats(gl_, density_.counts());
+  }
+  target_->bind();
+  gl_.Disable(GL_BLEND);
+  density_program_.use();
+  density_texture_->bind(0);
+  gl_.Uniform1i(density_program_.location("counts"), 0);
+  gl_.Uniform1f(density_program_.location("cell"), DensityGrid::kCellPixels);
+  gl_.Uniform1f(density_program_.location("peak"), static_cast<float>(density_.peak()));
+  empty_.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace patina
