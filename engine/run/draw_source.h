@@ -21,13 +21,13 @@ class DrawSource {
   virtual const ParameterTable& table() const = 0;  ///< with the priors in force
   virtual const Image& photo() const = 0;           ///< square, sRGB in [0,1]
 
-  virtual std::vector<Draw> take_draws() = 0;       ///< those that arrived since the last call
+  virtual std::vector<Draw> take_draws() = 0;  ///< those that arrived since the last call
   virtual RunStatus status() const = 0;
 
-  virtual bool can_control() const = 0;             ///< false for a run that another process makes
+  virtual bool can_control() const = 0;  ///< false for a run that another process makes
   virtual void pause() = 0;
   virtual void resume() = 0;
-  virtual void stop() = 0;                          ///< asks; returns at once
+  virtual void stop() = 0;  ///< asks; returns at once
 };
 
 }  // namespace patina

@@ -15,7 +15,8 @@ namespace patina {
 /// @throws UserError before anything is started: unknown names, impossible settings, a directory that holds a
 ///         run already or cannot be written
 std::unique_ptr<DrawSource> start_run(const RunSettings& settings, const Photo& photo,
-                                      const std::filesystem::path& directory, std::function<void()> wake = {});
+                                      const std::filesystem::path& directory,
+                                      std::function<void()> wake = {});
 
 /// Opens a run directory to read, also one that is still being written: take_draws() yields new whole lines.
 /// @throws UserError for a directory that is empty, half written beyond use, or made by a newer version

@@ -14,17 +14,17 @@ namespace patina {
 struct RunSettings {
   std::string material = "bump";
   Capture capture;
-  int resolution = 256;           ///< pixels a side at which renders are compared with the photo
+  int resolution = 256;  ///< pixels a side at which renders are compared with the photo
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "mala";
   int chains = 4;
   int warmup = 500;
-  int draws = 1000;               ///< per chain, after warm-up
-  double alpha = 0.8;             ///< probability of a continuous move, where there are discrete parameters
-  std::uint64_t seed = 1;         ///< of the search and the chains
-  std::uint64_t z_seed = 1;       ///< of the irregularities
-  bool map_only = false;          ///< stop after the search for the mode
+  int draws = 1000;          ///< per chain, after warm-up
+  double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
+  std::uint64_t seed = 1;    ///< of the search and the chains
+  std::uint64_t z_seed = 1;  ///< of the irregularities
+  bool map_only = false;     ///< stop after the search for the mode
   std::map<std::string, double> fixed;
   std::map<std::string, TruncatedNormal> priors;
 };

@@ -12,21 +12,21 @@ namespace patina {
 enum class RunPhase { starting, searching, warming_up, sampling, paused, finished, stopped, failed };
 
 struct ChainStatus {
-  std::int64_t iteration = 0;      ///< transitions made, warm-up included
-  double acceptance = 0;           ///< mean over the draws after warm-up (over warm-up until there are any)
-  std::int64_t divergences = 0;    ///< after warm-up
+  std::int64_t iteration = 0;    ///< transitions made, warm-up included
+  double acceptance = 0;         ///< mean over the draws after warm-up (over warm-up until there are any)
+  std::int64_t divergences = 0;  ///< after warm-up
   double step_size = 0;
 };
 
 /// The newest state of a run, as a front end shows it. A value: copied out of the latest-value slot.
 struct RunStatus {
   RunPhase phase = RunPhase::starting;
-  std::string message;             ///< one sentence: what it is doing now, or why it stopped
-  double search_fraction = 0;      ///< 0..1 while searching
+  std::string message;                  ///< one sentence: what it is doing now, or why it stopped
+  double search_fraction = 0;           ///< 0..1 while searching
   std::optional<ParameterValues> best;  ///< the best point found so far by the search; then the MAP
   double best_lp = 0;
   std::vector<ChainStatus> chains;
-  double draws_per_second = 0;     ///< all chains together, over the last few seconds
+  double draws_per_second = 0;  ///< all chains together, over the last few seconds
 };
 
 }  // namespace patina

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/run/run_settings.h"
+#include "engine/run/run_status.h"
+
+namespace patina {
+
+/// The mode that a run's search found.
+struct MapPoint {
+  ParameterValues values;
+  double lp = 0;
+};
+
+/// All that run.json holds: what a run was asked to do, to repeat it, and how far it got.
+struct Manifest {
+  std::string program;  ///< "patina 0.1.0", the version that made the run
+  RunSettings settings;
+  ParameterTable table;  ///< with the priors in force
+
+  std::string photo_sha256;  ///< of the file that was given
+  int photo_width = 0;       ///< of that file, upright, before the crop
+  int photo_height = 0;
+  std::vector<std::string> photo_warnings;
+  std::string network_sha256;  ///< of the weights file in force, the bundled one included
+  double gram_sigma = 0;       ///< of the error model: PosteriorSettings
+  double mean_sigma = 0;
+
+  RunPhase phase = RunPhase::starting;  ///< starting, searching, sampling (warm-up included) or how it ended
+  std::string reason;                   ///< one sentence, once it ended
+  std::optional<MapPoint> map;
+};
+
+constexpr int kRunFormat = 1;  ///< grows whenever an older program would misread the directory
+
+std::string to_json(const Manifest& manifest);
+
+/// Reads run.json. Nothing in it is believed unchecked.
+/// @throws UserError for a directory without one, a newer format, or a file that is damaged (which field)
+Manifest read_manifest(const std::filesystem::path& directory);
+
+}  // namespace patina

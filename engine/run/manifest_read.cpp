@@ -1,0 +1,198 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "engine/error.h"
+#include "engine/io/file.h"
+#include "engine/run/manifest.h"
+#include "engine/run/manifest_phase.h"
+#include "engine/run/run_files.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kLongestList = 10'000;
+
+/// What is wrong with a field, without the file's name.
+struct BadField {
+  std::string why;
+};
+
+const Json& field(const Json& json, const char* key) {
+  if (!json.is_object() || !json.contains(key)) throw BadField{"'" + std::string(key) + "' is missing"};
+  return json[key];
+}
+
+std::string text(const Json& json, const char* key) {
+  const Json& value = field(json, key);
+  if (!value.is_string()) throw BadField{"'" + std::string(key) + "' is not text"};
+  return value.get<std::string>();
+}
+
+double number(const Json& json, const char* key) {
+  const Json& value = field(json, key);
+  if (!value.is_number()) throw BadField{"'" + std::string(key) + "' is not a number"};
+  return value.get<double>();
+}
+
+double positive(const Json& json, const char* key) {
+  const double value = number(json, key);
+  if (!(value > 0 && std::isfinite(value))) throw BadField{"'" + std::string(key) + "' is out of range"};
+  return value;
+}
+
+int integer(const Json& json, const char* key, int low, int high = std::numeric_limits<int>::max()) {
+  const double value = number(json, key);
+  if (!(value >= low && value <= high && value == std::floor(value)))
+    throw BadField{"'" + std::string(key) + "' is out of range"};
+  return static_cast<int>(value);
+}
+
+std::uint64_t seed(const Json& json, const char* key) {
+  const Json& value = field(json, key);
+  if (!value.is_number_unsigned()) throw BadField{"'" + std::string(key) + "' is not a seed"};
+  return value.get<std::uint64_t>();
+}
+
+const Json& list(const Json& json, const char* key) {
+  const Json& value = field(json, key);
+  if (!value.is_array() || value.size() > kLongestList)
+    throw BadField{"'" + std::string(key) + "' is not a list"};
+  return value;
+}
+
+std::vector<std::string> texts(const Json& json, const char* key) {
+  std::vector<std::string> result;
+  for (const Json& item : list(json, key)) {
+    if (!item.is_string()) throw BadField{"'" + std::string(key) + "' holds something that is not text"};
+    result.push_back(item.get<std::string>());
+  }
+  return result;
+}
+
+TruncatedNormal prior(const Json& json) {
+  const TruncatedNormal prior{number(json, "mean"), positive(json, "sd"), number(json, "low"),
+                              number(json, "high")};
+  if (!(prior.low < prior.high)) throw BadField{"a prior's low is not below its high"};
+  return prior;
+}
+
+ParameterTable table(const Json& json) {
+  ParameterTable table;
+  table.material = text(json, "name");
+  table.description = text(json, "description");
+  for (const Json& item : list(json, "continuous"))
+    table.continuous.push_back(
+        {text(item, "name"), text(item, "unit"), text(item, "description"), prior(field(item, "prior"))});
+  for (const Json& item : list(json, "discrete")) {
+    table.discrete.push_back({text(item, "name"), text(item, "description"), texts(item, "levels")});
+    if (table.discrete.back().levels.empty()) throw BadField{"a choice has no levels"};
+  }
+  return table;
+}
+
+RunSettings settings(const Json& json) {
+  RunSettings s;
+  s.resolution = integer(json, "resolution", 1);
+  s.summary = text(json, "summary");
+  s.network = text(json, "network");
+  s.kernel = text(json, "kernel");
+  s.chains = integer(json, "chains", 1, 10'000);
+  s.warmup = integer(json, "warmup", 0);
+  s.draws = integer(json, "draws", 0);
+  s.alpha = number(json, "alpha");
+  s.seed = seed(json, "seed");
+  s.z_seed = seed(json, "z_seed");
+  const Json& map_only = field(json, "map_only");
+  if (!map_only.is_boolean()) throw BadField{"'map_only' is not true or false"};
+  s.map_only = map_only.get<bool>();
+  for (const auto& [name, value] : field(json, "fixed").items()) {
+    if (!value.is_number()) throw BadField{"'fixed' holds something that is not a number"};
+    s.fixed[name] = value.get<double>();
+  }
+  for (const auto& [name, value] : field(json, "priors").items()) s.priors[name] = prior(value);
+  return s;
+}
+
+std::optional<MapPoint> map_point(const Json& json, const ParameterTable& table) {
+  if (json.is_null()) return std::nullopt;
+  MapPoint map;
+  const Json& lp = field(json, "lp");
+  map.lp = lp.is_null() ? -std::numeric_limits<double>::infinity() : number(json, "lp");
+  const Json& values = field(json, "values");
+  for (const Parameter& parameter : table.continuous)
+    map.values.continuous.push_back(number(values, parameter.name.c_str()));
+  for (const DiscreteParameter& parameter : table.discrete)
+    map.values.discrete.push_back(
+        integer(values, parameter.name.c_str(), 0, static_cast<int>(parameter.levels.size()) - 1));
+  return map;
+}
+
+RunPhase phase(const Json& json) {
+  const std::string found = text(json, "phase");
+  for (const auto& [phase, word] : kPhaseWords)
+    if (word == found) return phase;
+  throw BadField{"the phase '" + found.substr(0, 40) + "' is unknown"};
+}
+
+Manifest manifest(const Json& json) {
+  Manifest m;
+  m.program = text(json, "program");
+  m.settings = settings(field(json, "settings"));
+  m.table = table(field(json, "material"));
+  m.settings.material = m.table.material;
+  const Json& capture = field(json, "capture");
+  m.settings.capture = {positive(capture, "size_cm"), positive(capture, "camera_cm")};
+  const Json& photo = field(json, "photo");
+  m.photo_sha256 = text(photo, "sha256");
+  m.photo_width = integer(photo, "width", 0);
+  m.photo_height = integer(photo, "height", 0);
+  m.photo_warnings = texts(photo, "warnings");
+  m.network_sha256 = text(json, "network_sha256");
+  m.gram_sigma = positive(field(json, "error_model"), "gram_sigma");
+  m.mean_sigma = positive(field(json, "error_model"), "mean_sigma");
+  m.phase = phase(json);
+  m.reason = text(json, "reason");
+  m.map = map_point(field(json, "map"), m.table);
+  return m;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw UserError(file.string() + " is damaged (" + why + "): restore it from a copy, or start a new run.");
+}
+
+void refuse_newer(const Json& json, const std::filesystem::path& directory) {
+  if (number(json, "format") > kRunFormat)
+    throw UserError(directory.string() + " was made by a newer version of the program (run format " +
+                    field(json, "format").dump() + ", this one knows " + std::to_string(kRunFormat) +
+                    "): open it with that version.");
+}
+
+}  // namespace
+
+Manifest read_manifest(const std::filesystem::path& directory) {
+  const std::filesystem::path file = manifest_file(directory);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(directory, ignored))
+    throw UserError("There is no run directory " + directory.string() +
+                    ": check the path, or make one with 'patina-cli fit'.");
+  if (!std::filesystem::exists(file, ignored))
+    throw UserError(
+        directory.string() +
+        " is not a run directory, for it holds no run.json: name one that 'patina-cli fit' made.");
+  const Json json = Json::parse(read_file(file), nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) refuse(file, "it is not JSON");
+  try {
+    refuse_newer(json, directory);
+    return manifest(json);
+  } catch (const BadField& bad) {
+    refuse(file, bad.why);
+  } catch (const Json::exception& error) {
+    refuse(file, error.what());
+  }
+}
+
+}  // namespace patina

@@ -1,0 +1,91 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/run/manifest.h"
+#include "engine/run/manifest_phase.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinities.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json prior_json(const TruncatedNormal& prior) {
+  return {{"mean", prior.mean}, {"sd", prior.sd}, {"low", prior.low}, {"high", prior.high}};
+}
+
+Json table_json(const ParameterTable& table) {
+  Json continuous = Json::array(), discrete = Json::array();
+  for (const Parameter& parameter : table.continuous)
+    continuous.push_back({{"name", parameter.name},
+                          {"unit", parameter.unit},
+                          {"description", parameter.description},
+                          {"prior", prior_json(parameter.prior)}});
+  for (const DiscreteParameter& parameter : table.discrete)
+    discrete.push_back(
+        {{"name", parameter.name}, {"description", parameter.description}, {"levels", parameter.levels}});
+  return {{"name", table.material},
+          {"description", table.description},
+          {"continuous", continuous},
+          {"discrete", discrete}};
+}
+
+Json priors_json(const std::map<std::string, TruncatedNormal>& priors) {
+  Json json = Json::object();
+  for (const auto& [name, prior] : priors) json[name] = prior_json(prior);
+  return json;
+}
+
+Json settings_json(const RunSettings& s) {
+  return {{"resolution", s.resolution},
+          {"summary", s.summary},
+          {"network", s.network.string()},
+          {"kernel", s.kernel},
+          {"chains", s.chains},
+          {"warmup", s.warmup},
+          {"draws", s.draws},
+          {"alpha", s.alpha},
+          {"seed", s.seed},
+          {"z_seed", s.z_seed},
+          {"map_only", s.map_only},
+          {"fixed", Json(s.fixed)},
+          {"priors", priors_json(s.priors)}};
+}
+
+Json map_json(const Manifest& manifest) {
+  if (!manifest.map) return nullptr;
+  Json values = Json::object();
+  const ParameterTable& table = manifest.table;
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    values[table.continuous[i].name] = manifest.map->values.continuous[i];
+  for (std::size_t i = 0; i < table.discrete.size(); ++i)
+    values[table.discrete[i].name] = manifest.map->values.discrete[i];
+  return {{"values", values}, {"lp", number(manifest.map->lp)}};
+}
+
+}  // namespace
+
+std::string to_json(const Manifest& m) {
+  const Json json = {
+      {"format", kRunFormat},
+      {"program", m.program},
+      {"phase", phase_word(m.phase)},
+      {"reason", m.reason},
+      {"photo",
+       {{"sha256", m.photo_sha256},
+        {"width", m.photo_width},
+        {"height", m.photo_height},
+        {"warnings", m.photo_warnings}}},
+      {"capture", {{"size_cm", m.settings.capture.size_cm}, {"camera_cm", m.settings.capture.camera_cm}}},
+      {"material", table_json(m.table)},
+      {"settings", settings_json(m.settings)},
+      {"network_sha256", m.network_sha256},
+      {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
+      {"map", map_json(m)}};
+  // A file name need not be UTF-8; the manifest must be.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace patina

@@ -1,0 +1,55 @@
+#include "engine/run/mode_search.h"
+
+#include <cmath>
+#include <string>
+
+#include "engine/error.h"
+#include "engine/run/controlled_density.h"
+
+namespace patina {
+namespace {
+
+constexpr int kCoarsest = 64;
+
+void report(RunShared& shared, const Posterior& posterior, double fraction, const Position& best, double lp) {
+  shared.edit_status([&](RunStatus& status) {
+    status.search_fraction = fraction;
+    status.message = "looking for a good match: " + std::to_string(std::lround(100 * fraction)) + " %";
+    status.best = posterior.values(best);
+    status.best_lp = lp;
+  });
+}
+
+}  // namespace
+
+std::vector<int> pyramid(int resolution) {
+  std::vector<int> levels;
+  for (int level = kCoarsest; level < resolution; level *= 2) levels.push_back(level);
+  levels.push_back(resolution);
+  return levels;
+}
+
+ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
+                    RunShared& shared) {
+  std::vector<std::unique_ptr<ControlledDensity>> controlled;
+  std::vector<const LogDensity*> targets;
+  for (const auto& posterior : posteriors) {
+    controlled.push_back(std::make_unique<ControlledDensity>(*posterior, shared.control));
+    targets.push_back(controlled.back().get());
+  }
+  const Posterior& posterior = *posteriors.back();
+  MapSearchSettings search;
+  search.progress = [&](double fraction, const Position& best, double lp) {
+    report(shared, posterior, fraction, best, lp);
+  };
+  Rng rng(settings.seed, 0);
+  const OptimizerResult best = search_map(targets, rng, search).best;
+  if (!std::isfinite(best.evaluation.log_density))
+    throw UserError("No parameters render to anything comparable with the photo: check the priors.");
+  report(shared, posterior, 1, best.position, best.evaluation.log_density);
+  const LogDensity& target = *targets.back();
+  return {{best.position, best.evaluation},
+          std::make_shared<const Metric>(laplace_covariance(target, best.position))};
+}
+
+}  // namespace patina

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/posterior/posterior.h"
+#include "engine/run/chain.h"
+#include "engine/run/run_shared.h"
+#include "engine/sampling/map_search.h"
+
+namespace patina {
+
+/// The same posterior from coarse to fine: 64, 128 ... pixels a side, then settings.resolution.
+std::vector<int> pyramid(int resolution);
+
+/// What the search hands to the chains.
+struct ModeFound {
+  ChainState mode;
+  std::shared_ptr<const Metric> laplace;  ///< covariance of the normal approximation at the mode
+};
+
+/// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so
+/// far.
+/// @param posteriors  one per level of the pyramid
+/// @throws RunStopped
+ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
+                    RunShared& shared);
+
+}  // namespace patina

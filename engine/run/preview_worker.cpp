@@ -1,0 +1,111 @@
+#include "engine/run/preview_worker.h"
+
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include "engine/material/renderer.h"
+#include "engine/run/first_line.h"
+#include "engine/run/threads.h"
+
+namespace patina {
+namespace {
+
+/// Keeps the renderer of the last request, for the next one is most often of the same material.
+class CachedRenderer {
+ public:
+  MaterialMaps maps(const PreviewRequest& request) {
+    if (!renderer_ || request.material != material_ || request.z_seed != z_seed_ ||
+        !(request.capture == capture_)) {
+      renderer_.reset();
+      renderer_ = std::make_unique<Renderer>(request.material, request.z_seed, request.capture);
+      material_ = request.material;
+      z_seed_ = request.z_seed;
+      capture_ = request.capture;
+    }
+    return renderer_->maps(request.values, request.resolution);
+  }
+
+ private:
+  std::unique_ptr<Renderer> renderer_;
+  std::string material_;
+  std::uint64_t z_seed_ = 0;
+  Capture capture_;
+};
+
+}  // namespace
+
+struct PreviewWorker::State {
+  std::function<void()> wake;
+  mutable std::mutex mutex;
+  std::condition_variable_any changed;
+  std::uint64_t last_ticket = 0;
+  std::optional<PreviewRequest> wanted;  ///< with last_ticket
+  std::optional<Preview> finished;
+  std::string error;
+  std::jthread thread;  // last: joins before what it uses goes
+
+  std::optional<Preview> wait_for_request(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    if (!changed.wait(lock, stop, [&] { return wanted.has_value(); })) return std::nullopt;
+    Preview preview;
+    preview.ticket = last_ticket;
+    preview.request = *std::exchange(wanted, std::nullopt);
+    return preview;
+  }
+
+  void publish(std::optional<Preview> preview, const std::string& sentence) {
+    {
+      const std::lock_guard lock(mutex);
+      if (preview) finished = std::move(preview);
+      error = sentence;
+    }
+    if (wake) wake();
+  }
+
+  void work(const std::stop_token& stop) {
+    use_tensor_threads(1);
+    CachedRenderer renderer;
+    while (auto preview = wait_for_request(stop)) {
+      try {
+        preview->maps = renderer.maps(preview->request);
+        publish(std::move(preview), {});
+      } catch (const std::exception& failure) {
+        publish(std::nullopt, first_line(failure.what()));
+      }
+    }
+  }
+};
+
+PreviewWorker::PreviewWorker(std::function<void()> wake) : state_(std::make_unique<State>()) {
+  state_->wake = std::move(wake);
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
+}
+
+PreviewWorker::~PreviewWorker() = default;
+
+std::uint64_t PreviewWorker::request(PreviewRequest request) {
+  std::uint64_t ticket = 0;
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->wanted = std::move(request);
+    ticket = ++state_->last_ticket;
+  }
+  state_->changed.notify_one();
+  return ticket;
+}
+
+std::optional<Preview> PreviewWorker::take() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->finished, std::nullopt);
+}
+
+std::string PreviewWorker::last_error() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->error;
+}
+
+}  // namespace patina

@@ -1,0 +1,87 @@
+#include "engine/run/run_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/run/run_files.h"
+#include "engine/sampling/kernels.h"
+
+namespace patina {
+namespace {
+
+void check_count(const char* what, int value, int low, int high) {
+  if (value >= low && value <= high) return;
+  throw UserError("The number of " + std::string(what) + " is " + std::to_string(value) +
+                  ": choose one from " + std::to_string(low) + " to " + std::to_string(high) + ".");
+}
+
+void check_length(const char* what, double cm) {
+  if (cm >= 0.1 && cm <= 10'000) return;
+  throw UserError("The " + std::string(what) + " must be from 0.1 to 10000 cm.");
+}
+
+void check_kernel(const std::string& kernel) {
+  const std::vector<std::string> names = kernel_names();
+  if (std::ranges::find(names, kernel) != names.end()) return;
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  throw UserError("There is no kernel '" + kernel + "': use " + known + ".");
+}
+
+}  // namespace
+
+void check_resolution(int resolution) {
+  check_count("pixels a side (resolution)", resolution, kLeastResolution, kMostResolution);
+}
+
+void check_settings(const RunSettings& settings, const Photo& photo) {
+  check_count("chains", settings.chains, 1, kMostChains);
+  check_count("warm-up iterations", settings.warmup, 0, kMostIterations);
+  check_count("draws", settings.draws, 1, kMostIterations);
+  check_resolution(settings.resolution);
+  check_length("size of the sample", settings.capture.size_cm);
+  check_length("distance of the camera", settings.capture.camera_cm);
+  if (!(settings.alpha > 0 && settings.alpha <= 1))
+    throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
+  check_kernel(settings.kernel);
+  if (photo.image.empty() || photo.image.width != photo.image.height || photo.image.channels != 3)
+    throw UserError("The photo is not a square of three channels: open it again.");
+}
+
+PosteriorSettings posterior_settings(const RunSettings& settings, int resolution) {
+  PosteriorSettings posterior;
+  posterior.material = settings.material;
+  posterior.capture = settings.capture;
+  posterior.resolution = resolution;
+  posterior.summary = settings.summary;
+  posterior.network = settings.network;
+  posterior.z_seed = settings.z_seed;
+  posterior.fixed = settings.fixed;
+  posterior.priors = settings.priors;
+  return posterior;
+}
+
+void check_free_parameters(const Posterior& posterior) {
+  if (posterior.dimension() == 0)
+    throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw UserError("Cannot make the folder " + folder.string() + " (" + error.message() +
+                    "): choose another place.");
+}
+
+void check_holds_no_run(const std::filesystem::path& directory) {
+  std::error_code ignored;
+  if (std::filesystem::exists(manifest_file(directory), ignored) ||
+      std::filesystem::exists(chain_file(directory, 0), ignored))
+    throw UserError(directory.string() + " holds a run already: choose another directory.");
+}
+
+}  // namespace patina

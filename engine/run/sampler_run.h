@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "engine/io/photo.h"
+#include "engine/posterior/posterior.h"
+#include "engine/run/draw_source.h"
+#include "engine/run/manifest.h"
+#include "engine/run/mode_search.h"
+#include "engine/run/run_lock.h"
+#include "engine/run/run_shared.h"
+
+namespace patina {
+
+/// A run whose sampler is in this process: a coordinator thread that searches the mode, then one thread a
+/// chain. See start_run().
+class SamplerRun final : public DrawSource {
+ public:
+  SamplerRun(const RunSettings& settings, const Photo& photo, const std::filesystem::path& directory,
+             std::function<void()> wake);
+  ~SamplerRun() override;
+
+  const std::filesystem::path& directory() const override { return directory_; }
+  const RunSettings& settings() const override { return settings_; }
+  const ParameterTable& table() const override { return table_; }
+  const Image& photo() const override { return photo_; }
+
+  std::vector<Draw> take_draws() override { return shared_.draws.take_all(); }
+  RunStatus status() const override;
+
+  bool can_control() const override { return true; }
+  void pause() override;
+  void resume() override;
+  void stop() override;
+
+ private:
+  void write_manifest();
+  void coordinate() noexcept;
+  void run_to_the_end();
+  void enter(RunPhase phase, const std::string& message);
+  ModeFound search();
+  void sample(const ModeFound& found);
+  void conclude(RunPhase phase, const std::string& reason);
+  std::string outcome() const;
+
+  std::filesystem::path directory_;
+  RunSettings settings_;
+  Image photo_;
+  ParameterTable table_;
+  Manifest manifest_;                                   ///< the coordinator's, once it runs
+  std::vector<std::unique_ptr<Posterior>> posteriors_;  ///< coarse to fine; the coordinator's as well
+  std::unique_ptr<RunLock> lock_;
+  std::int64_t draws_made_ = 0;  ///< after warm-up, all chains
+  RunShared shared_;
+  std::thread coordinator_;
+};
+
+}  // namespace patina

@@ -1,0 +1,106 @@
+#include "engine/run/summarize.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/diagnostics/convergence.h"
+#include "engine/posterior/prior_transform.h"
+
+namespace patina {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+using Chains = std::vector<std::vector<const Draw*>>;
+
+/// Draws after warm-up by chain, in order.
+Chains by_chain(const std::vector<Draw>& draws) {
+  Chains chains;
+  for (const Draw& draw : draws) {
+    if (draw.warmup) continue;
+    if (chains.size() <= static_cast<std::size_t>(draw.chain))
+      chains.resize(static_cast<std::size_t>(draw.chain) + 1);
+    chains[static_cast<std::size_t>(draw.chain)].push_back(&draw);
+  }
+  return chains;
+}
+
+/// A quantity of every draw, iterations x chains; chains without draws are left out, the others cut to the
+/// shortest.
+Eigen::MatrixXd matrix_of(Chains chains, const std::function<double(const Draw&)>& quantity) {
+  std::erase_if(chains, [](const auto& chain) { return chain.empty(); });
+  if (chains.empty()) return {};
+  const std::size_t length = std::ranges::min_element(chains, {}, &Chains::value_type::size)->size();
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(length), static_cast<Eigen::Index>(chains.size()));
+  for (Eigen::Index k = 0; k < values.cols(); ++k)
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+      values(i, k) = quantity(*chains[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]);
+  return values;
+}
+
+double standard_deviation(const Eigen::MatrixXd& values) {
+  return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
+}
+
+QuantitySummary summarize(const std::string& name, const Eigen::MatrixXd& values, double prior_sd) {
+  QuantitySummary s;
+  s.name = name;
+  s.mean = values.size() > 0 ? values.mean() : kNaN;
+  s.sd = values.size() > 1 ? standard_deviation(values) : kNaN;
+  s.q5 = quantile(values, 0.05);
+  s.q25 = quantile(values, 0.25);
+  s.q50 = quantile(values, 0.5);
+  s.q75 = quantile(values, 0.75);
+  s.q95 = quantile(values, 0.95);
+  s.mcse_mean = mcse_mean(values);
+  s.mcse_sd = mcse_sd(values);
+  s.bulk_ess = bulk_ess(values);
+  s.tail_ess = tail_ess(values);
+  s.rhat = split_rhat(values);
+  s.sd_over_prior_sd = s.sd / prior_sd;
+  return s;
+}
+
+ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
+  ChainSummary s;
+  s.chain = chain;
+  s.draws = static_cast<std::int64_t>(draws.size());
+  Eigen::VectorXd energy(static_cast<Eigen::Index>(draws.size()));
+  double acceptance = 0;
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    energy[static_cast<Eigen::Index>(i)] = -draws[i]->lp;
+    acceptance += draws[i]->accept_stat;
+    s.divergences += draws[i]->divergent;
+  }
+  s.acceptance = acceptance / static_cast<double>(draws.size());
+  s.ebfmi = ebfmi(energy);
+  return s;
+}
+
+}  // namespace
+
+RunSummary summarize_draws(const ParameterTable& table, const std::vector<Draw>& draws) {
+  const Chains chains = by_chain(draws);
+  RunSummary summary;
+  summary.quantities.push_back(
+      summarize("lp", matrix_of(chains, [](const Draw& draw) { return draw.lp; }), kNaN));
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    summary.quantities.push_back(
+        summarize(table.continuous[i].name,
+                  matrix_of(chains, [i](const Draw& draw) { return draw.values.continuous[i]; }),
+                  truncated_sd(table.continuous[i].prior)));
+  for (std::size_t i = 0; i < table.discrete.size(); ++i)
+    summary.quantities.push_back(summarize(
+        table.discrete[i].name,
+        matrix_of(chains, [i](const Draw& draw) { return static_cast<double>(draw.values.discrete[i]); }),
+        kNaN));
+  for (std::size_t k = 0; k < chains.size(); ++k)
+    summary.chains.push_back(summarize_chain(static_cast<int>(k), chains[k]));
+  return summary;
+}
+
+}  // namespace patina

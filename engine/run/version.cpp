@@ -1,0 +1,7 @@
+#include "engine/run/version.h"
+
+namespace patina {
+
+std::string program_version() { return "patina " PATINA_VERSION; }
+
+}  // namespace patina
