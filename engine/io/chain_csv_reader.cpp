@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <limits>
@@ -9,7 +11,10 @@
 namespace patina {
 namespace {
 
-constexpr std::size_t kStatistics = 7;          ///< lp__ ... energy__
+constexpr std::array<std::string_view, 7> kStatisticNames{
+    "lp__", "accept_stat__", "stepsize__", "treedepth__", "n_leapfrog__", "divergent__", "energy__"};
+constexpr std::size_t kStatistics = kStatisticNames.size();
+constexpr std::size_t kChunk = 1u << 16;        ///< bytes read at a time
 constexpr std::size_t kLongestLine = 1u << 20;  ///< bytes; a chain file's lines are far shorter
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -25,6 +30,14 @@ std::vector<std::string_view> split(std::string_view line) {
 bool parse_number(std::string_view cell, double& value) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return error == std::errc{} && end == cell.data() + cell.size();
+}
+
+/// Text from an untrusted file that is safe to show in a terminal.
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::ranges::replace_if(
+      result, [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+  return result;
 }
 
 /// The value behind "key = " in a comment, if it is that key's line.
@@ -48,31 +61,34 @@ void comment_integer(std::string_view line, std::string_view key, Integer& numbe
 struct ChainCsvReader::State {
   std::filesystem::path path;
   ChainCsvHeader header;
-  std::string pending;        ///< a line whose end has not been written yet
-  std::streamoff offset = 0;  ///< bytes taken from the file, pending included
-  std::int64_t line_number = 0;
+  /// Bytes read, whole lines only: a half last line is read again next time, for a writer whose disk is full
+  /// takes it back and may write another.
+  std::streamoff offset = 0;
+  std::int64_t lines = 0;  ///< read before this one
   std::int64_t rows = 0;
   bool has_header = false, adapted = false, closed = false;
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw UserError("The chain file " + path.filename().string() + " cannot be read, line " +
-                    std::to_string(line_number) + ": " + why +
-                    "; restore it from a copy or start a new run.");
+                    std::to_string(lines + 1) + ": " + why + "; restore it from a copy or start a new run.");
   }
 
   void read_comment(std::string_view line) {
-    comment_value(line, "model", header.model);
-    comment_integer(line, "id", header.id);
-    comment_integer(line, "seed", header.seed);
-    comment_integer(line, "num_warmup", header.num_warmup);
-    comment_integer(line, "num_samples", header.num_samples);
+    if (!has_header) {
+      comment_value(line, "model", header.model);
+      comment_integer(line, "id", header.id);
+      comment_integer(line, "seed", header.seed);
+      comment_integer(line, "num_warmup", header.num_warmup);
+      comment_integer(line, "num_samples", header.num_samples);
+    }
     adapted |= line == "# Adaptation terminated";
     closed |= has_header && line == "#";
   }
 
   void read_names(std::string_view line) {
     const auto cells = split(line);
-    if (cells.size() < kStatistics || cells[0] != "lp__" || cells[6] != "energy__")
+    if (cells.size() < kStatistics ||
+        !std::equal(kStatisticNames.begin(), kStatisticNames.end(), cells.begin()))
       refuse("it does not begin with lp__ ... energy__");
     for (std::size_t i = kStatistics; i < cells.size(); ++i) header.names.emplace_back(cells[i]);
     has_header = true;
@@ -84,7 +100,7 @@ struct ChainCsvReader::State {
     std::vector<double> numbers(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (!parse_number(cells[i], numbers[i]))
-        refuse("'" + std::string(cells[i].substr(0, 40)) + "' is not a number");
+        refuse("'" + printable(cells[i].substr(0, 40)) + "' is not a number");
     Row row;
     row.row.lp = numbers[0];
     row.row.accept_stat = numbers[1];
@@ -102,7 +118,6 @@ struct ChainCsvReader::State {
   }
 
   void read_line(std::string_view line, std::vector<Row>& rows_out) {
-    ++line_number;
     if (line.empty()) return;
     if (line.front() == '#')
       read_comment(line);
@@ -110,6 +125,18 @@ struct ChainCsvReader::State {
       read_names(line);
     else
       rows_out.push_back(read_row(line));
+  }
+
+  /// Takes the whole lines of the bytes at offset. @return their length
+  std::size_t read_lines(std::string_view bytes, std::vector<Row>& rows_out) {
+    std::size_t begin = 0;
+    for (auto end = bytes.find('\n'); end != std::string_view::npos; end = bytes.find('\n', begin)) {
+      read_line(bytes.substr(begin, end - begin), rows_out);
+      ++lines;
+      offset += static_cast<std::streamoff>(end + 1 - begin);
+      begin = end + 1;
+    }
+    return begin;
   }
 };
 
@@ -126,21 +153,17 @@ std::vector<ChainCsvReader::Row> ChainCsvReader::read_new() {
     throw UserError("Cannot open the chain file " + state_->path.string() + ": check its permissions.");
   stream.seekg(state_->offset);
   std::vector<Row> rows;
-  std::string chunk(1 << 16, '\0');
+  std::string unread;  // always begins at state_->offset
   for (;;) {
-    stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    const auto count = stream.gcount();
-    if (count <= 0) return rows;
-    state_->offset += count;
-    std::string_view fresh(chunk.data(), static_cast<std::size_t>(count));
-    for (auto end = fresh.find('\n'); end != std::string_view::npos; end = fresh.find('\n')) {
-      state_->pending.append(fresh.substr(0, end));
-      state_->read_line(state_->pending, rows);
-      state_->pending.clear();
-      fresh.remove_prefix(end + 1);
-    }
-    state_->pending.append(fresh);
-    if (state_->pending.size() > kLongestLine) state_->refuse("it is too long");
+    const std::size_t kept = unread.size();
+    unread.resize(kept + kChunk);
+    stream.read(unread.data() + kept, kChunk);
+    if (stream.bad())
+      throw UserError("Cannot read the chain file " + state_->path.string() + ": try a copy.");
+    unread.resize(kept + static_cast<std::size_t>(stream.gcount()));
+    if (unread.size() == kept) return rows;
+    unread.erase(0, state_->read_lines(unread, rows));
+    if (unread.size() > kLongestLine) state_->refuse("it is too long");
   }
 }
 

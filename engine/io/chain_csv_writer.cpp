@@ -105,11 +105,12 @@ void ChainCsvWriter::adaptation_terminated(double step_size,
 }
 
 void ChainCsvWriter::close(double warmup_seconds, double sampling_seconds) {
+  // First, for it needs no room: on a full disk the count is right even where the footer does not fit.
+  state_->file.patch(state_->samples_offset, padded(state_->rows_after_warmup));
   state_->file.append("#\n#  Elapsed Time: " + seconds_text(warmup_seconds) +
                       " seconds (Warm-up)\n#                " + seconds_text(sampling_seconds) +
                       " seconds (Sampling)\n#                " +
                       seconds_text(warmup_seconds + sampling_seconds) + " seconds (Total)\n#\n");
-  state_->file.patch(state_->samples_offset, padded(state_->rows_after_warmup));
 }
 
 }  // namespace patina

@@ -39,6 +39,11 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
   }
 }
 
+[[noreturn]] void refuse_size(const std::filesystem::path& file, std::size_t limit_bytes) {
+  throw UserError(file.string() + " has more than " + std::to_string(limit_bytes) +
+                  " bytes, which is more than a file of its kind can need: check that it is the right one.");
+}
+
 }  // namespace
 
 void refuse_write(const std::filesystem::path& file, int error) {
@@ -56,9 +61,7 @@ std::string read_file(const std::filesystem::path& file, std::size_t limit_bytes
   struct stat status {};
   if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
     throw UserError(file.string() + " is not a file: name one.");
-  if (static_cast<std::size_t>(status.st_size) > limit_bytes)
-    throw UserError(file.string() + " has more than " + std::to_string(limit_bytes >> 20) +
-                    " MiB, which is more than a file of its kind can need: check that it is the right one.");
+  if (static_cast<std::size_t>(status.st_size) > limit_bytes) refuse_size(file, limit_bytes);
   std::string contents;
   std::array<char, 1 << 16> buffer;
   for (;;) {
@@ -66,8 +69,9 @@ std::string read_file(const std::filesystem::path& file, std::size_t limit_bytes
     if (count < 0 && errno == EINTR) continue;
     if (count < 0)
       throw UserError("Cannot read " + file.string() + " (" + std::strerror(errno) + "): try a copy of it.");
-    if (count == 0 || contents.size() > limit_bytes) return contents;
+    if (count == 0) return contents;
     contents.append(buffer.data(), static_cast<std::size_t>(count));
+    if (contents.size() > limit_bytes) refuse_size(file, limit_bytes);  // it grew since fstat
   }
 }
 

@@ -1,12 +1,18 @@
 #include "engine/io/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include "engine/error.h"
+#include "engine/io/decode.h"
+#include "engine/io/file.h"
+#include "engine/io/photo.h"
 
 namespace patina {
 namespace {
@@ -25,47 +31,41 @@ OIIO::TypeDesc type_of(PixelDepth depth) {
   return OIIO::TypeDesc::UINT8;
 }
 
-[[noreturn]] void refuse_write(const std::filesystem::path& file, const std::string& reason) {
-  throw UserError(
-      "Cannot write the image " + file.string() + " (" + reason +
-      "): check that the folder exists, the disk is not full and the name ends in .png, .jpg, .tif or .exr.");
+/// OpenImageIO's name of the format that the extension asks for.
+const char* format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::array<const char*, 2>, 6> kFormats{{{".png", "png"},
+                                                                {".jpg", "jpeg"},
+                                                                {".jpeg", "jpeg"},
+                                                                {".tif", "tiff"},
+                                                                {".tiff", "tiff"},
+                                                                {".exr", "openexr"}}};
+  for (const auto& [known, format] : kFormats)
+    if (extension == known) return format;
+  throw UserError("Cannot write the image " + file.string() +
+                  ": give it a name that ends in .png, .jpg, .tif or .exr.");
 }
 
 }  // namespace
 
 void write_image(const std::filesystem::path& file, const Image& image, PixelDepth depth) {
-  // The extension decides the format, so the temporary file keeps it.
-  std::filesystem::path temporary = file;
-  temporary.replace_filename("." + file.stem().string() + ".part" + file.extension().string());
-  const auto output = OIIO::ImageOutput::create(temporary.string());
-  if (!output) {
-    OIIO::geterror();
-    refuse_write(file, "unknown kind of image");
-  }
+  // Encoded in memory: the encoders' own file output does not notice every failed write.
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create(format_of(file), &memory);
   OIIO::ImageSpec spec(image.width, image.height, image.channels, type_of(depth));
-  const bool written = output->open(temporary.string(), spec) &&
-                       output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data()) && output->close();
-  std::error_code error;
-  if (written) std::filesystem::rename(temporary, file, error);
-  if (!written || error) {
-    const std::string reason = error ? error.message() : output->geterror();
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    refuse_write(file, reason);
-  }
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  // The name only labels messages: the bytes go to memory.
+  if (!output || !output->open(file.filename().string(), spec) ||
+      !output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data()) || !output->close())
+    throw UserError("Cannot write the image " + file.string() + " (" +
+                    (output ? output->geterror() : OIIO::geterror()) + "): try another format.");
+  write_file_atomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 Image read_image(const std::filesystem::path& file) {
-  const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) {
-    OIIO::geterror();
-    throw UserError("Cannot read " + file.string() + " as an image: check the path, or save it as PNG.");
-  }
-  const OIIO::ImageSpec& spec = input->spec();
-  Image image(spec.width, spec.height, spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-    throw UserError("The image " + file.string() + " is damaged: save or copy it again.");
-  return image;
+  return to_image(decode_image(file, read_file(file, std::size_t{1} << 30), 1, kMaxPhotoSide).pixels);
 }
 
 }  // namespace patina

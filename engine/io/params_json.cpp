@@ -1,9 +1,9 @@
 #include "engine/io/params_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "engine/error.h"
 #include "engine/io/file.h"
@@ -13,8 +13,9 @@ namespace {
 
 std::string known_names(const ParameterTable& table) {
   std::string names;
-  for (const Parameter& parameter : table.continuous) names += (names.empty() ? "" : ", ") + parameter.name;
-  for (const DiscreteParameter& parameter : table.discrete) names += ", " + parameter.name;
+  const auto add = [&names](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+  for (const Parameter& parameter : table.continuous) add(parameter.name);
+  for (const DiscreteParameter& parameter : table.discrete) add(parameter.name);
   return names;
 }
 
@@ -25,10 +26,10 @@ std::optional<std::size_t> find(const std::vector<Named>& parameters, const std:
   return static_cast<std::size_t>(found - parameters.begin());
 }
 
+/// Shortest text that reads back as the same double: a value just beyond a bound must not look like it.
 std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 }  // namespace

@@ -1,14 +1,11 @@
 #include "engine/io/photo.h"
 
-#include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
-#include "engine/error.h"
+#include "engine/io/decode.h"
 #include "engine/io/file.h"
 
 namespace patina {
@@ -16,65 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMaxPixels = 128'000'000;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& why_and_cure) {
-  throw UserError("The photo " + file.filename().string() + " " + why_and_cure);
-}
-
-/// A JPEG whose last scan has no end-of-image marker behind it was cut off. libjpeg would paint the rest grey
-/// and only warn. Entropy-coded data cannot contain either marker, and a thumbnail's pair precedes the scan.
-bool is_cut_jpeg(const std::string& bytes) {
-  if (!bytes.starts_with("\xFF\xD8")) return false;
-  const auto last_scan = bytes.rfind("\xFF\xDA");
-  const auto last_end = bytes.rfind("\xFF\xD9");
-  return last_end == std::string::npos || (last_scan != std::string::npos && last_end < last_scan);
-}
-
-void check_size(const fs::path& file, const OIIO::ImageSpec& spec) {
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels";
-  if (std::min(spec.width, spec.height) < kMinPhotoSide)
-    refuse(file, "has " + size + ", too few to show a material: use one of at least " +
-                     std::to_string(kMinPhotoSide) + " pixels a side.");
-  if (std::max(spec.width, spec.height) > kMaxPhotoSide)
-    refuse(file, "has " + size + ", too many: reduce it to at most " + std::to_string(kMaxPhotoSide) +
-                     " pixels a side.");
-  if (std::int64_t{spec.width} * spec.height > kMaxPixels)
-    refuse(file, "has " + size + ", too many: reduce it to at most " +
-                     std::to_string(kMaxPixels / 1'000'000) + " megapixels.");
-  if (spec.depth > 1 || spec.deep || spec.nchannels < 1 || spec.nchannels > 64)
-    refuse(file, "is not a flat image: save it as PNG or JPEG.");
-}
-
-OIIO::ImageSpec read_header(const fs::path& file, const OIIO::ImageSpec& config) {
-  const auto input = OIIO::ImageInput::open(file.string(), &config);
-  if (!input) {
-    OIIO::geterror();
-    refuse(file, "is not an image that can be read: save it as JPEG, PNG, TIFF or EXR.");
-  }
-  return input->spec();
-}
-
-/// The central square at its native resolution and type, as stored (orientation not yet applied).
-OIIO::ImageBuf read_central_square(const fs::path& file, const OIIO::ImageSpec& config) {
-  const OIIO::ImageSpec header = read_header(file, config);
-  check_size(file, header);
-  OIIO::ImageBuf whole(file.string(), 0, 0, nullptr, &config);
-  if (!whole.read(0, 0, /*force=*/true) || whole.has_error())
-    refuse(file, "is damaged or incomplete (" + std::to_string(header.width) + " x " +
-                     std::to_string(header.height) + " pixels were promised): copy or save it again.");
-  const int side = std::min(header.width, header.height);
-  const int left = header.x + (header.width - side) / 2, top = header.y + (header.height - side) / 2;
-  OIIO::ImageBuf square = OIIO::ImageBufAlgo::cut(whole, OIIO::ROI(left, left + side, top, top + side));
-  if (square.has_error()) refuse(file, "could not be cropped: save it as PNG.");
-  return square;
-}
-
-Image to_image(const OIIO::ImageBuf& buffer) {
-  const OIIO::ImageSpec& spec = buffer.spec();
-  Image image(spec.width, spec.height, spec.nchannels);
-  buffer.get_pixels(OIIO::ROI::All(), OIIO::TypeDesc::FLOAT, image.pixels.data());
-  return image;
+OIIO::ImageBuf central_square(const OIIO::ImageBuf& whole) {
+  const int side = std::min(whole.spec().width, whole.spec().height);
+  const int left = (whole.spec().width - side) / 2, top = (whole.spec().height - side) / 2;
+  return OIIO::ImageBufAlgo::cut(whole, OIIO::ROI(left, left + side, top, top + side));
 }
 
 OIIO::ImageBuf resized_buffer(const OIIO::ImageBuf& source, int side) {
@@ -84,25 +26,24 @@ OIIO::ImageBuf resized_buffer(const OIIO::ImageBuf& source, int side) {
   return result;
 }
 
-/// Replaces what is not a number, so that filters and statistics stay finite; returns how many pixels had
-/// any.
-int mend_non_finite(Image& image) {
+/// Makes every value a finite one in [0, 1], as a camera's sensor would: beyond white is white, and so is
+/// infinity; NaN is black. Before any filter, which would spread them. @return pixels that had a value that
+/// was not finite
+int clip(Image& image) {
   int mended = 0;
   for (std::size_t begin = 0; begin < image.pixels.size();
        begin += static_cast<std::size_t>(image.channels)) {
-    bool bad = false;
-    for (int c = 0; c < image.channels; ++c) {
-      float& value = image.pixels[begin + static_cast<std::size_t>(c)];
-      if (std::isfinite(value)) continue;
-      value =
-          value > 0 ? 1.0f : 0.0f;  // +infinity is a clipped highlight; NaN compares false and becomes black
-      bad = true;
+    bool finite = true;
+    for (std::size_t i = begin; i < begin + static_cast<std::size_t>(image.channels); ++i) {
+      finite &= std::isfinite(image.pixels[i]);
+      image.pixels[i] = image.pixels[i] > 0 ? std::min(image.pixels[i], 1.0f) : 0.0f;
     }
-    mended += bad;
+    mended += !finite;
   }
   return mended;
 }
 
+/// IEC 61966-2-1.
 float encode_srgb(float linear) {
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
@@ -112,72 +53,67 @@ bool is_linear(const OIIO::ImageSpec& spec) {
   return OIIO::Strutil::istarts_with(space, "lin") || (space.empty() && spec.format.is_floating_point());
 }
 
-bool is_cmyk(const OIIO::ImageSpec& spec) {
-  return spec.nchannels >= 4 && !spec.channelnames.empty() && spec.channelnames[0] == "C" &&
-         spec.channelnames[3] == "K";
-}
-
 /// Three channels out of whatever there are; warnings say what was left out.
-Image to_rgb(const Image& image, const OIIO::ImageSpec& spec, std::vector<std::string>& warnings) {
-  const bool cmyk = is_cmyk(spec);
-  if (cmyk) warnings.push_back("The photo is CMYK: its colours were converted without its print profile.");
-  const int colours = spec.alpha_channel >= 0 ? spec.alpha_channel : spec.nchannels;
-  if (!cmyk && colours > 3)
-    warnings.push_back("The photo has more than three channels: the first three are used.");
+Image to_rgb(const Image& image, int alpha_channel, std::vector<std::string>& warnings) {
+  const int colours = alpha_channel >= 0 ? alpha_channel : image.channels;
+  if (colours == 2 || colours > 3)
+    warnings.push_back("The photo has " + std::to_string(colours) + " channels: only the first " +
+                       (colours > 3 ? "three are" : "one is") + " used.");
   Image rgb(image.width, image.height, 3);
   bool see_through = false;
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column) {
-      if (spec.alpha_channel >= 0) see_through |= image.at(row, column, spec.alpha_channel) < 0.999f;
-      for (int c = 0; c < 3; ++c)
-        rgb.at(row, column, c) = cmyk ? (1 - image.at(row, column, c)) * (1 - image.at(row, column, 3))
-                                      : image.at(row, column, colours >= 3 ? c : 0);
+      if (alpha_channel >= 0) see_through |= image.at(row, column, alpha_channel) < 0.999f;
+      for (int c = 0; c < 3; ++c) rgb.at(row, column, c) = image.at(row, column, colours >= 3 ? c : 0);
     }
   if (see_through) warnings.push_back("The photo has transparent parts: their transparency is ignored.");
   return rgb;
 }
 
-void to_display(Image& image, bool linear) {
-  for (float& value : image.pixels)
-    value = std::clamp(linear ? encode_srgb(std::max(value, 0.0f)) : value, 0.0f, 1.0f);
-}
-
-OIIO::ImageBuf from_image(const Image& image) {
-  OIIO::ImageBuf buffer(OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT));
-  buffer.set_pixels(OIIO::ROI::All(), OIIO::TypeDesc::FLOAT, image.pixels.data());
-  return buffer;
-}
-
-Image upright(const Image& image, int orientation) {
-  if (orientation <= 1 || orientation > 8) return image;
-  OIIO::ImageBuf buffer = from_image(image);
-  buffer.specmod().attribute("Orientation", orientation);
-  return to_image(OIIO::ImageBufAlgo::reorient(buffer));
-}
-
-Photo decode(const fs::path& file) {
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, not multiplied by alpha
-  const OIIO::ImageBuf square = read_central_square(file, config);
-  const OIIO::ImageSpec& spec = square.spec();
-  const OIIO::ImageSpec header = read_header(file, config);
-  const int orientation = header.get_int_attribute("Orientation", 1);
-
-  Photo photo;
-  photo.original_width = orientation >= 5 && orientation <= 8 ? header.height : header.width;
-  photo.original_height = orientation >= 5 && orientation <= 8 ? header.width : header.height;
-  Image native = spec.format.is_floating_point() || spec.width <= kWorkingPhotoSide
-                     ? to_image(square)
-                     : to_image(resized_buffer(square, kWorkingPhotoSide));
-  if (const int mended = mend_non_finite(native))
-    photo.warnings.push_back(
+/// Display values of the square, at most kWorkingPhotoSide a side, not yet upright.
+Image display_square(const DecodedImage& decoded, std::vector<std::string>& warnings) {
+  const OIIO::ImageBuf square = central_square(decoded.pixels);
+  const bool is_float = decoded.header.format.is_floating_point();
+  const bool is_large = square.spec().width > kWorkingPhotoSide;
+  // Integers cannot be out of range, and reducing them first keeps a large photo's floats out of memory.
+  Image native = to_image(is_large && !is_float ? resized_buffer(square, kWorkingPhotoSide) : square);
+  if (const int mended = clip(native); mended > 0 && is_float)
+    warnings.push_back(
         "The photo has " + std::to_string(mended) +
         " pixels that are not numbers: infinite ones were taken as white, the others as black.");
-  Image rgb = to_rgb(native, header, photo.warnings);
-  if (rgb.width > kWorkingPhotoSide) rgb = to_image(resized_buffer(from_image(rgb), kWorkingPhotoSide));
-  to_display(rgb, is_linear(header));
-  photo.image = upright(rgb, orientation);
-  return photo;
+  Image rgb = to_rgb(native, decoded.header.alpha_channel, warnings);
+  rgb = resized(rgb, std::min(rgb.width, kWorkingPhotoSide));
+  if (is_linear(decoded.header)) std::ranges::transform(rgb.pixels, rgb.pixels.begin(), encode_srgb);
+  return rgb;
+}
+
+/// The EXIF orientation (1 to 8) to undo.
+int orientation_of(const DecodedImage& decoded) {
+  // libheif has turned the pixels already; the EXIF entry of such a file only repeats it (ISO 23008-12).
+  if (decoded.format == "heif") return 1;
+  const int orientation = decoded.header.get_int_attribute("Orientation", 1);
+  return orientation >= 1 && orientation <= 8 ? orientation : 1;
+}
+
+/// Undoes an orientation. Not by OpenImageIO's reorient(): in 2.4.7 it takes 5 and 7 for each other.
+Image upright(const Image& image, int orientation) {
+  using namespace OIIO::ImageBufAlgo;
+  if (orientation == 1) return image;
+  OIIO::ImageBuf buffer = to_buffer(image);
+  if (orientation >= 5) buffer = transpose(buffer);  // first, then as a turn or mirror of what that gives
+  switch (orientation) {
+    case 2:
+    case 6:
+      return to_image(flop(buffer));
+    case 3:
+    case 7:
+      return to_image(rotate180(buffer));
+    case 4:
+    case 8:
+      return to_image(flip(buffer));
+    default:
+      return to_image(buffer);
+  }
 }
 
 }  // namespace
@@ -185,24 +121,23 @@ Photo decode(const fs::path& file) {
 Photo load_photo(const fs::path& file) {
   constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
   const std::string bytes = read_file(file, kMaxFileBytes);
-  if (bytes.empty()) refuse(file, "is empty: copy it again.");
-  if (is_cut_jpeg(bytes)) refuse(file, "is incomplete, its end is missing: copy it again.");
-  try {
-    Photo photo = decode(file);
-    photo.sha256 = sha256_hex(bytes);
-    return photo;
-  } catch (const UserError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    refuse(file, "needs more memory than there is: reduce its size.");
-  } catch (const std::exception&) {  // decoders behind OpenImageIO throw what they like
-    refuse(file, "is damaged: copy or save it again.");
-  }
+  const DecodedImage decoded = decode_image(file, bytes, kMinPhotoSide, kMaxPhotoSide);
+  const int orientation = orientation_of(decoded);
+
+  Photo photo;
+  photo.original_width = decoded.header.width;
+  photo.original_height = decoded.header.height;
+  if (orientation >= 5) std::swap(photo.original_width, photo.original_height);
+  if (decoded.cmyk)
+    photo.warnings.push_back("The photo is CMYK: its colours were converted without its print profile.");
+  photo.image = upright(display_square(decoded, photo.warnings), orientation);
+  photo.sha256 = sha256_hex(bytes);
+  return photo;
 }
 
 Image resized(const Image& image, int side) {
   if (image.width == side && image.height == side) return image;
-  Image result = to_image(resized_buffer(from_image(image), side));
+  Image result = to_image(resized_buffer(to_buffer(image), side));
   for (float& value : result.pixels) value = std::clamp(value, 0.0f, 1.0f);  // Lanczos rings beyond the range
   return result;
 }
