@@ -96,6 +96,7 @@ class GlfwWindow final : public Window {
     }
     if (woken_.exchange(false)) settling_ = kSettlingFrames;
     ImGui_ImplGlfw_NewFrame();
+    renderer_->prepare();
     ImGui::NewFrame();
   }
 
@@ -114,7 +115,6 @@ class GlfwWindow final : public Window {
 
   std::vector<std::filesystem::path> take_dropped_files() override { return std::exchange(dropped_, {}); }
   void set_title(const char* title) override { glfwSetWindowTitle(window_.get(), title); }
-  void upload_fonts() override { renderer_->upload_fonts(); }
   Image screenshot() override { return read_frame(gl_, *renderer_); }
 
  private:

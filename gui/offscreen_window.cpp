@@ -105,6 +105,7 @@ class OsmesaWindow final : public OffscreenWindow {
       settling_ = kSettlingFrames;
     }
     ImGui::GetIO().DeltaTime = 1.0f / 60;
+    renderer_.prepare();
     ImGui::NewFrame();
   }
 
@@ -126,7 +127,6 @@ class OsmesaWindow final : public OffscreenWindow {
 
   std::vector<std::filesystem::path> take_dropped_files() override { return std::exchange(dropped_, {}); }
   void set_title(const char*) override {}
-  void upload_fonts() override { renderer_.upload_fonts(); }
   Image screenshot() override { return read_frame(gl_, renderer_); }
 
   void resize(int width, int height) override {

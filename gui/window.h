@@ -40,9 +40,6 @@ class Window {
 
   virtual void set_title(const char* title) = 0;
 
-  /// To be called after ImGui's fonts have been replaced while frames run.
-  virtual void upload_fonts() = 0;
-
   /// The last frame, 3 channels in [0,1], rows from the top. Between end_frame() and the next begin_frame().
   virtual Image screenshot() = 0;
 

@@ -38,8 +38,9 @@ ImguiRenderer::ImguiRenderer(const Gl& gl)
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
 }
 
-void ImguiRenderer::upload_fonts() {
+void ImguiRenderer::prepare() {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  if (fonts_ && atlas.IsBuilt()) return;
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -81,7 +82,6 @@ void ImguiRenderer::draw(const ImDrawData& data, const ImDrawCmd& command) const
 
 void ImguiRenderer::render(const ImDrawData& data) {
   static_assert(sizeof(ImDrawIdx) == 2, "draw() says GL_UNSIGNED_SHORT");
-  if (!fonts_) upload_fonts();
   if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
   begin(data);
   gl_.ActiveTexture(GL_TEXTURE0);

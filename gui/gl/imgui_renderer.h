@@ -13,12 +13,11 @@ class ImguiRenderer {
  public:
   explicit ImguiRenderer(const Gl& gl);
 
-  /// Draws into the bound framebuffer, whose row 0 is at the bottom (the window's). The first call uploads
-  /// the font atlas.
-  void render(const ImDrawData& data);
+  /// Uploads the font atlas if it is new or its fonts have been replaced. Before every ImGui::NewFrame().
+  void prepare();
 
-  /// To be called after the fonts of ImGui's atlas have been replaced.
-  void upload_fonts();
+  /// Draws into the bound framebuffer, whose row 0 is at the bottom (the window's).
+  void render(const ImDrawData& data);
 
  private:
   void begin(const ImDrawData& data) const;
