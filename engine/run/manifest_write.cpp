@@ -3,6 +3,7 @@
 
 #include "engine/run/manifest.h"
 #include "engine/run/manifest_phase.h"
+#include "engine/run/table_json.h"
 
 namespace patina {
 namespace {
@@ -11,26 +12,6 @@ using Json = nlohmann::ordered_json;
 
 /// JSON has no infinities.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json prior_json(const TruncatedNormal& prior) {
-  return {{"mean", prior.mean}, {"sd", prior.sd}, {"low", prior.low}, {"high", prior.high}};
-}
-
-Json table_json(const ParameterTable& table) {
-  Json continuous = Json::array(), discrete = Json::array();
-  for (const Parameter& parameter : table.continuous)
-    continuous.push_back({{"name", parameter.name},
-                          {"unit", parameter.unit},
-                          {"description", parameter.description},
-                          {"prior", prior_json(parameter.prior)}});
-  for (const DiscreteParameter& parameter : table.discrete)
-    discrete.push_back(
-        {{"name", parameter.name}, {"description", parameter.description}, {"levels", parameter.levels}});
-  return {{"name", table.material},
-          {"description", table.description},
-          {"continuous", continuous},
-          {"discrete", discrete}};
-}
 
 Json priors_json(const std::map<std::string, TruncatedNormal>& priors) {
   Json json = Json::object();

@@ -37,36 +37,22 @@ void check_resolution(int resolution) {
   check_count("pixels a side (resolution)", resolution, kLeastResolution, kMostResolution);
 }
 
+void check_capture(const Capture& capture) {
+  check_length("size of the sample", capture.size_cm);
+  check_length("distance of the camera", capture.camera_cm);
+}
+
 void check_settings(const RunSettings& settings, const Photo& photo) {
   check_count("chains", settings.chains, 1, kMostChains);
   check_count("warm-up iterations", settings.warmup, 0, kMostIterations);
   check_count("draws", settings.draws, 1, kMostIterations);
   check_resolution(settings.resolution);
-  check_length("size of the sample", settings.capture.size_cm);
-  check_length("distance of the camera", settings.capture.camera_cm);
+  check_capture(settings.capture);
   if (!(settings.alpha > 0 && settings.alpha <= 1))
     throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
   check_kernel(settings.kernel);
   if (photo.image.empty() || photo.image.width != photo.image.height || photo.image.channels != 3)
     throw UserError("The photo is not a square of three channels: open it again.");
-}
-
-PosteriorSettings posterior_settings(const RunSettings& settings, int resolution) {
-  PosteriorSettings posterior;
-  posterior.material = settings.material;
-  posterior.capture = settings.capture;
-  posterior.resolution = resolution;
-  posterior.summary = settings.summary;
-  posterior.network = settings.network;
-  posterior.z_seed = settings.z_seed;
-  posterior.fixed = settings.fixed;
-  posterior.priors = settings.priors;
-  return posterior;
-}
-
-void check_free_parameters(const Posterior& posterior) {
-  if (posterior.dimension() == 0)
-    throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
 }
 
 void make_folder(const std::filesystem::path& folder) {

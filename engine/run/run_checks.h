@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "engine/io/photo.h"
-#include "engine/posterior/posterior.h"
 #include "engine/run/run_settings.h"
 
 namespace patina {
@@ -16,15 +15,12 @@ constexpr int kMostResolution = 4096;
 /// @throws UserError unless it is in [kLeastResolution, kMostResolution]
 void check_resolution(int resolution);
 
+/// @throws UserError unless its lengths are from 0.1 to 10000 cm
+void check_capture(const Capture& capture);
+
 /// Counts, geometry and kernel; what the posterior's construction checks is left to it.
 /// @throws UserError for the first setting that cannot be
 void check_settings(const RunSettings& settings, const Photo& photo);
-
-/// The posterior of a run at another resolution.
-PosteriorSettings posterior_settings(const RunSettings& settings, int resolution);
-
-/// @throws UserError if nothing is left to infer
-void check_free_parameters(const Posterior& posterior);
 
 /// Makes a folder and those above it, unless it exists. @throws UserError
 void make_folder(const std::filesystem::path& folder);

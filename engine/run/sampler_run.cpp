@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
 #include "engine/run/chain.h"
@@ -35,6 +36,24 @@ Manifest first_manifest(const RunSettings& settings, const Photo& photo, const P
   manifest.mean_sigma = posterior.mean_sigma;
   manifest.phase = RunPhase::searching;
   return manifest;
+}
+
+PosteriorSettings posterior_settings(const RunSettings& settings, int resolution) {
+  PosteriorSettings posterior;
+  posterior.material = settings.material;
+  posterior.capture = settings.capture;
+  posterior.resolution = resolution;
+  posterior.summary = settings.summary;
+  posterior.network = settings.network;
+  posterior.z_seed = settings.z_seed;
+  posterior.fixed = settings.fixed;
+  posterior.priors = settings.priors;
+  return posterior;
+}
+
+void check_free_parameters(const Posterior& posterior) {
+  if (posterior.dimension() == 0)
+    throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/material/capture.h"
+#include "engine/material/parameter.h"
+
+namespace CLI {
+class App;
+}
+
+namespace patina {
+
+/// "light=1500" as ("light", 1500). @throws UserError, naming the option
+std::pair<std::string, double> parse_assignment(const std::string& option, const std::string& text);
+
+/// "rough=0.4,0.1,0.2,0.6" (mean, sd, low, high). @throws UserError
+std::pair<std::string, TruncatedNormal> parse_prior(const std::string& text);
+
+/// --size-cm and --camera-cm. Without --camera-cm the field of view stays the default one.
+struct CaptureArguments {
+  double size_cm = Capture{}.size_cm;
+  double camera_cm = 0;  ///< 0: not given
+
+  void add_to(CLI::App& command);
+  Capture capture() const;  ///< @throws UserError for a length that cannot be
+};
+
+/// --material. @throws UserError if it is empty or "auto", which is not there yet; says what there is
+void check_material_argument(const std::string& material);
+
+}  // namespace patina

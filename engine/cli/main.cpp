@@ -1,0 +1,56 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "engine/cli/command.h"
+#include "engine/error.h"
+#include "engine/run/first_line.h"
+#include "engine/run/version.h"
+
+// jemalloc reads this at start: freed buffers are kept, for page faults cost more than the arithmetic on
+// them.
+extern "C" {
+const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
+}
+
+namespace patina {
+namespace {
+
+int refuse(const std::string& sentence, int status) {
+  std::fprintf(stderr, "patina-cli: %s\n", first_line(sentence).c_str());
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Posterior draws of a procedural material that could have made a photo", "patina-cli");
+  app.set_version_flag("--version", program_version(), "Print the version");
+  app.require_subcommand(1);
+  Command chosen;
+  add_fit(app, chosen);
+  add_render(app, chosen);
+  add_summarize(app, chosen);
+  add_export(app, chosen);
+  add_materials(app, chosen);
+  try {
+    app.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return refuse(first_line(error.what()) + " (see patina-cli --help)", kBadInput);
+  } catch (const UserError& error) {
+    return refuse(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return refuse(error.what(), kRunFailed);
+  }
+}
+
+}  // namespace
+}  // namespace patina
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a failed write, as a full disk is
+  return patina::run(argc, argv);
+}

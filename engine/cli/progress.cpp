@@ -1,0 +1,86 @@
+#include "engine/cli/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace patina {
+namespace {
+
+constexpr int kBarWidth = 30;
+
+std::int64_t transitions(const RunStatus& status) {
+  std::int64_t made = 0;
+  for (const ChainStatus& chain : status.chains) made += chain.iteration;
+  return made;
+}
+
+std::int64_t all_transitions(const RunSettings& settings) {
+  return std::int64_t{settings.chains} * (std::int64_t{settings.warmup} + settings.draws);
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = std::llround(std::max(seconds, 0.0));
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
+}
+
+bool is_drawing(RunPhase phase) { return phase == RunPhase::warming_up || phase == RunPhase::sampling; }
+
+}  // namespace
+
+double progress_fraction(const RunSettings& settings, const RunStatus& status) {
+  if (transitions(status) == 0) return status.search_fraction;
+  return static_cast<double>(transitions(status)) / static_cast<double>(all_transitions(settings));
+}
+
+std::string progress_line(const RunSettings& settings, const RunStatus& status) {
+  std::string text = status.message;
+  if (!is_drawing(status.phase)) return text;
+  text += ", " + std::to_string(std::lround(100 * progress_fraction(settings, status))) + " %";
+  if (status.draws_per_second <= 0) return text;
+  const auto left = static_cast<double>(all_transitions(settings) - transitions(status));
+  return text + ", " + std::to_string(std::lround(status.draws_per_second)) + " draws a second, about " +
+         duration_text(left / status.draws_per_second) + " left";
+}
+
+Progress::Progress(const RunSettings& settings, bool quiet)
+    : settings_(settings), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+void Progress::show(const RunStatus& status) {
+  const bool new_phase = status.phase != last_phase_;
+  last_phase_ = status.phase;
+  if (status.phase == RunPhase::paused) {
+    if (new_phase) line(status.message + " The run goes on by itself; Ctrl-C ends it.");
+    return;
+  }
+  if (quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (terminal_) return redraw(status);
+  if (!new_phase && now < next_) return;
+  next_ = now + std::chrono::seconds(10);
+  line(progress_line(settings_, status));
+}
+
+void Progress::redraw(const RunStatus& status) {
+  const auto filled = static_cast<int>(std::lround(kBarWidth * progress_fraction(settings_, status)));
+  std::string bar(static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth)), '#');
+  bar.resize(kBarWidth, '.');
+  // Carriage return, then erase to the end of the line.
+  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), progress_line(settings_, status).c_str());
+  bar_is_drawn_ = true;
+}
+
+void Progress::line(const std::string& text) {
+  std::fprintf(stderr, bar_is_drawn_ ? "\r%s\033[K\n" : "%s\n", text.c_str());
+  bar_is_drawn_ = false;
+}
+
+void Progress::end(const RunStatus& status) {
+  if (!quiet_) line(status.message);
+}
+
+}  // namespace patina

@@ -1,0 +1,110 @@
+#include "engine/cli/summary_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/params_json.h"
+#include "engine/run/manifest_phase.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json quantity_json(const QuantitySummary& q) {
+  return {{"mean", number(q.mean)},
+          {"sd", number(q.sd)},
+          {"q5", number(q.q5)},
+          {"q25", number(q.q25)},
+          {"q50", number(q.q50)},
+          {"q75", number(q.q75)},
+          {"q95", number(q.q95)},
+          {"mcse_mean", number(q.mcse_mean)},
+          {"mcse_sd", number(q.mcse_sd)},
+          {"bulk_ess", number(q.bulk_ess)},
+          {"tail_ess", number(q.tail_ess)},
+          {"rhat", number(q.rhat)},
+          {"sd_over_prior_sd", number(q.sd_over_prior_sd)}};
+}
+
+Json chain_json(const ChainSummary& c) {
+  return {{"chain", c.chain + 1},
+          {"draws", c.draws},
+          {"acceptance", number(c.acceptance)},
+          {"divergences", c.divergences},
+          {"ebfmi", number(c.ebfmi)}};
+}
+
+std::int64_t total_draws(const RunSummary& summary) {
+  std::int64_t total = 0;
+  for (const ChainSummary& chain : summary.chains) total += chain.draws;
+  return total;
+}
+
+Json map_json(const DrawSource& run, const RunStatus& status) {
+  if (!status.best) return nullptr;
+  return {{"values", Json::parse(params_to_json(run.table(), *status.best))}, {"lp", number(status.best_lp)}};
+}
+
+/// Four significant digits, right-aligned; a dash where there is no number.
+std::string cell(double value, int width = 10) {
+  char text[32];
+  if (std::isfinite(value))
+    std::snprintf(text, sizeof text, "%*.4g", width, value);
+  else
+    std::snprintf(text, sizeof text, "%*s", width, "-");
+  return text;
+}
+
+std::string name_cell(const std::string& name) {
+  return name + std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');
+}
+
+std::string quantity_line(const QuantitySummary& q) {
+  return name_cell(q.name) + cell(q.mean) + cell(q.sd) + cell(q.q5) + cell(q.q50) + cell(q.q95) +
+         cell(q.mcse_mean) + cell(q.bulk_ess) + cell(q.tail_ess) + cell(q.rhat) +
+         (q.sd_over_prior_sd > 0.9 ? "   not pinned down by this photo\n" : "\n");
+}
+
+}  // namespace
+
+Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
+  const RunStatus status = run.status();
+  const RunSummary summary = summarize_draws(run.table(), draws);
+  Json parameters = Json::object(), chains = Json::array();
+  for (std::size_t i = 1; i < summary.quantities.size(); ++i)
+    parameters[summary.quantities[i].name] = quantity_json(summary.quantities[i]);
+  for (const ChainSummary& chain : summary.chains) chains.push_back(chain_json(chain));
+  return {{"directory", run.directory().string()},
+          {"phase", phase_word(status.phase)},
+          {"message", status.message},
+          {"material", run.settings().material},
+          {"draws", total_draws(summary)},
+          {"map", map_json(run, status)},
+          {"lp", quantity_json(summary.quantities.front())},
+          {"parameters", parameters},
+          {"chains", chains}};
+}
+
+std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws) {
+  const RunSummary summary = summarize_draws(run.table(), draws);
+  std::string text = name_cell("");
+  for (const char* title : {"mean", "sd", "5%", "50%", "95%", "MCSE", "bulk ESS", "tail ESS", "R-hat"}) {
+    char cell[16];
+    std::snprintf(cell, sizeof cell, "%10s", title);
+    text += cell;
+  }
+  text += "\n";
+  for (const QuantitySummary& quantity : summary.quantities) text += quantity_line(quantity);
+  for (const ChainSummary& chain : summary.chains)
+    text += "chain " + std::to_string(chain.chain + 1) + ": " + std::to_string(chain.draws) +
+            " draws, acceptance" + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
+            " divergences\n";
+  return text;
+}
+
+}  // namespace patina
