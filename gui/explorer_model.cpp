@@ -17,12 +17,16 @@ void ExplorerModel::set_axes(const PlotAxis& x, const PlotAxis& y) {
   y_ = y;
 }
 
-bool ExplorerModel::visible(std::size_t draw) const {
-  return !warmup_hidden_ || draws_.sampling_count() == 0 || !draws_.warmup(draw);
-}
-
 PlotRange ExplorerModel::default_range(const PlotAxis& axis) const {
-  return draws_.extent(axis, draws_.sampling_count() > 0);
+  if (draws_.size() > 0) return draws_.extent(axis, draws_.sampling_count() > 0);
+  if (axis.kind == PlotAxis::Kind::continuous) {
+    const TruncatedNormal& prior = table_.continuous[axis.index].prior;
+    return {prior.low, prior.high};
+  }
+  if (axis.kind == PlotAxis::Kind::discrete) {
+    return {-0.5, static_cast<double>(table_.discrete[axis.index].levels.size()) - 0.5};
+  }
+  return {};
 }
 
 std::optional<std::size_t> ExplorerModel::nearest(double x, double y, double pixel_x, double pixel_y,

@@ -22,13 +22,15 @@ class ExplorerModel {
   PlotAxis y_axis() const { return y_; }
   void set_axes(const PlotAxis& x, const PlotAxis& y);
 
-  bool warmup_hidden() const { return warmup_hidden_; }
+  bool warmup_hidden() const { return warmup_hidden_; }  ///< whether the user wants that
   void hide_warmup(bool hidden) { warmup_hidden_ = hidden; }
 
-  /// Warm-up draws can be hidden, but not while there is nothing else to see.
-  bool visible(std::size_t draw) const;
+  /// Warm-up draws are not hidden while there is nothing else to see.
+  bool hides_warmup() const { return warmup_hidden_ && draws_.sampling_count() > 0; }
+  bool visible(std::size_t draw) const { return !hides_warmup() || !draws_.warmup(draw); }
 
-  /// What an axis should span: the draws after warm-up, or all of them until there are any after it.
+  /// What an axis should span: the draws after warm-up, or all of them until there are any after it;
+  /// without draws the prior's range.
   PlotRange default_range(const PlotAxis& axis) const;
 
   /// The visible draw closest to a point of the plot, by distance on screen; the first drawn of several that

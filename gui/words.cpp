@@ -83,7 +83,7 @@ std::string count_text(long long count) {
   std::string digits = std::to_string(count);
   const std::ptrdiff_t first = count < 0 ? 1 : 0;
   for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > first; place -= 3)
-    digits.insert(place, " ");
+    digits.insert(static_cast<std::size_t>(place), 1, ' ');
   return digits;
 }
 

@@ -1,5 +1,7 @@
 #include "gui/panels/draw_panel.h"
 
+#include <algorithm>
+
 #include "gui/theme.h"
 #include "gui/words.h"
 
@@ -25,11 +27,12 @@ std::string describe(const ExplorerModel& model, const ShownDraw& shown) {
 void draw_walk(const PanelContext& context) {
   ExplorerModel& model = context.session.model();
   ImGui::BeginDisabled(model.draws().size() == 0);
-  const float width = ImGui::GetFrameHeight();
-  if (ImGui::Button("<", {width, 0})) context.commands.push_back([&model] { model.select_better(); });
+  if (ImGui::ArrowButton("##better", ImGuiDir_Left))
+    context.commands.push_back([&model] { model.select_better(); });
   tooltip("The next better draw (left arrow)");
   ImGui::SameLine();
-  if (ImGui::Button(">", {width, 0})) context.commands.push_back([&model] { model.select_worse(); });
+  if (ImGui::ArrowButton("##worse", ImGuiDir_Right))
+    context.commands.push_back([&model] { model.select_worse(); });
   tooltip("The next less likely draw (right arrow)");
   ImGui::SameLine();
   if (ImGui::Button("Best")) context.commands.push_back([&model] { model.select(model.best()); });
@@ -39,8 +42,19 @@ void draw_walk(const PanelContext& context) {
 
 }  // namespace
 
-void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
-                     const std::string& export_note, const DrawPanelActions& actions) {
+void DrawPanel::draw_export(const PanelContext& context, const std::function<void()>& ask_to_export) {
+  const float combo = 5.6f * ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+  align_right(combo + gap + button_width("Export..."));
+  ImGui::SetNextItemWidth(combo);
+  draw_resolution_choice("##maps", {512, 1024, 2048, 4096}, export_resolution_);
+  tooltip("How large the exported maps are");
+  ImGui::SameLine();
+  if (ImGui::Button("Export...")) context.commands.push_back(ask_to_export);
+  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
+}
+
+void DrawPanel::draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
+                     const std::string& export_note, const std::function<void()>& ask_to_export) {
   const PanelScope panel((shown_draw_title(shown) + "###draw").c_str(), rect, context,
                          ImGuiWindowFlags_NoScrollbar);
   muted_text(describe(context.session.model(), shown));
@@ -48,9 +62,7 @@ void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownD
   const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
   draw_walk(context);
-  align_right(button_width("Export..."));
-  if (ImGui::Button("Export...")) context.commands.push_back(actions.export_draw);
-  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
+  draw_export(context, ask_to_export);
 }
 
 }  // namespace patina

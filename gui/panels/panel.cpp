@@ -1,5 +1,8 @@
 #include "gui/panels/panel.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "gui/theme.h"
 
 namespace patina {
@@ -87,6 +90,30 @@ bool primary_button(const char* label, ImVec2 size) {
 void align_right(float width) {
   ImGui::SameLine();
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+}
+
+void draw_resolution_choice(const char* label, std::initializer_list<int> choices, int& resolution) {
+  const auto text = [](int pixels) { return std::to_string(pixels) + " px"; };
+  if (!ImGui::BeginCombo(label, text(resolution).c_str())) return;
+  for (const int choice : choices) {
+    if (ImGui::Selectable(text(choice).c_str(), choice == resolution)) resolution = choice;
+  }
+  ImGui::EndCombo();
+}
+
+Rect centred_square(const Rect& rect) {
+  const float side = std::floor(std::min(rect.size.x, rect.size.y));
+  return {{std::floor(rect.position.x + 0.5f * (rect.size.x - side)),
+           std::floor(rect.position.y + 0.5f * (rect.size.y - side))},
+          {side, side}};
+}
+
+void centred_hint(const Rect& rect, const std::string& text) {
+  const float wrap = 0.8f * rect.size.x;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+  const ImVec2 corner{rect.position.x + 0.5f * (rect.size.x - size.x),
+                      rect.position.y + 0.5f * (rect.size.y - size.y)};
+  ImGui::GetWindowDrawList()->AddText(nullptr, 0, corner, theme::kMuted, text.c_str(), nullptr, wrap);
 }
 
 float button_width(const char* label) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,15 @@ bool primary_button(const char* label, ImVec2 size = {0, 0});
 
 /// Puts the next item, `width` wide, at the right edge of the line before.
 void align_right(float width);
+
+/// A choice of resolution: pixels a side.
+void draw_resolution_choice(const char* label, std::initializer_list<int> choices, int& resolution);
+
+/// The largest square in the middle of a rectangle.
+Rect centred_square(const Rect& rect);
+
+/// A sentence in the middle of a rectangle where there is nothing else to see: what to do next.
+void centred_hint(const Rect& rect, const std::string& text);
 
 /// The width of a button with this text.
 float button_width(const char* label);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/run/draw_queue.h"
 #include "engine/run/draw_source.h"
 #include "gui/run_factory.h"
 
@@ -12,7 +13,11 @@ namespace patina::testing {
 
 /// What a test and its source share: the test feeds draws and reads which buttons were pressed.
 struct FakeRun {
-  std::vector<Draw> arriving;
+  void feed(const std::vector<Draw>& draws) {
+    for (const Draw& draw : draws) queue.push(draw);
+  }
+
+  DrawQueue queue;
   RunStatus status;
   int pauses = 0, resumes = 0, stops = 0;
 };
@@ -32,7 +37,7 @@ class FakeSource final : public DrawSource {
   const RunSettings& settings() const override { return settings_; }
   const ParameterTable& table() const override { return table_; }
   const Image& photo() const override { return photo_; }
-  std::vector<Draw> take_draws() override { return std::exchange(run_->arriving, {}); }
+  std::vector<Draw> take_draws() override { return run_->queue.take_all(); }
   RunStatus status() const override { return run_->status; }
   bool can_control() const override { return true; }
   void pause() override { ++run_->pauses, run_->status.phase = RunPhase::paused; }

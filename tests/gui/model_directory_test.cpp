@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -7,6 +6,7 @@
 #include "engine/error.h"
 #include "gui/directory_listing.h"
 #include "gui/run_factory.h"
+#include "tests/gui/temporary_folder.h"
 
 namespace patina {
 namespace {
@@ -15,15 +15,10 @@ namespace fs = std::filesystem;
 
 class Folder : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "patina-gui-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    path_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(path_); }
   void touch(const std::string& name) const { std::ofstream(path_ / name) << ' '; }
 
-  fs::path path_;
+  testing::TemporaryFolder folder_;
+  fs::path path_ = folder_.path();
 };
 
 TEST_F(Folder, ListsFoldersThenRunsThenImagesAndNothingElse) {

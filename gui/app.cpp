@@ -1,0 +1,186 @@
+#include "gui/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <utility>
+
+#include "gui/panels/chains_panel.h"
+#include "gui/panels/help_sheet.h"
+#include "gui/panels/top_bar.h"
+#include "gui/theme.h"
+#include "gui/wake_limiter.h"
+
+namespace patina {
+namespace {
+
+constexpr float kFontSize = 15;                                 // at 96 dots per inch
+constexpr auto kDrawInterval = std::chrono::milliseconds(100);  // between frames for new draws alone
+
+Fonts dressed(const Window& window) {
+  const float size = std::round(kFontSize * window.content_scale());
+  theme::apply(size);
+  return load_fonts(size, window.pixel_density());
+}
+
+std::filesystem::path home() {
+  const char* home = std::getenv("HOME");
+  return home != nullptr && *home == '/' ? home : "/";
+}
+
+}  // namespace
+
+App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
+    : window_(window),
+      fonts_(dressed(window)),
+      session_(std::move(factory), runs, limited_wake([&window] { window.wake(); }, kDrawInterval)),
+      previews_([&window] { window.wake(); }),
+      photo_(window.gl()),
+      preview_(window.gl()),
+      scatter_(window.gl()) {}
+
+void App::attempt(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    banner_.show(ErrorBanner::Kind::error, error.what());
+  }
+}
+
+void App::load(const std::filesystem::path& path) {
+  session_.open(path);
+  banner_.dismiss();
+  export_note_.clear();
+  window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
+  for (const std::string& warning : session_.photo().warnings)
+    banner_.show(ErrorBanner::Kind::notice, warning);
+}
+
+double App::patience() const {
+  if (exporter_.busy()) return 0.1;
+  if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
+  if (session_.is_live()) return 0.5;
+  return 3600;
+}
+
+void App::frame(double longest_wait) {
+  window_.begin_frame(std::min(patience(), longest_wait));
+  for (const auto& file : window_.take_dropped_files()) commands_.push_back([this, file] { load(file); });
+  take_in_news();
+  handle_keys();
+  draw_panels();
+  for (const auto& command : std::exchange(commands_, {})) attempt(command);
+  window_.end_frame();
+}
+
+void App::take_in_news() {
+  attempt([this] { session_.poll(); });
+  attempt([this] {
+    if (const auto preview = previews_.take()) preview_.show(preview->maps);
+  });
+  finish_export();
+}
+
+void App::finish_export() {
+  const auto outcome = exporter_.take();
+  if (!outcome) return;
+  if (outcome->error.empty()) {
+    export_note_ = "Saved in " + outcome->folder.string();
+  } else {
+    export_note_.clear();
+    banner_.show(ErrorBanner::Kind::error, outcome->error);
+  }
+}
+
+void App::handle_escape() {
+  if (dialog_.visible()) {
+    dialog_.close();
+  } else if (help_open_) {
+    help_open_ = false;
+  } else if (banner_.visible()) {
+    banner_.dismiss();
+  } else {
+    session_.model().select(std::nullopt);
+  }
+}
+
+void App::handle_keys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto pressed = [](ImGuiKey key, bool repeat) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
+  };
+  if (pressed(ImGuiKey_Escape, false)) handle_escape();
+  if (io.WantTextInput || dialog_.visible()) return;
+  if (io.KeyCtrl && ImGui::IsKeyPressed('O', false)) ask_to_open();
+  if (io.KeyCtrl && ImGui::IsKeyPressed('E', false)) ask_to_export();
+  if (io.InputQueueCharacters.contains(static_cast<ImWchar>('?'))) help_open_ = !help_open_;
+  if (pressed(ImGuiKey_LeftArrow, true)) session_.model().select_better();
+  if (pressed(ImGuiKey_RightArrow, true)) session_.model().select_worse();
+  if (pressed(ImGuiKey_Space, false) && session_.is_live() && session_.run().can_control()) {
+    session_.status().phase == RunPhase::paused ? session_.resume() : session_.pause();
+  }
+}
+
+void App::draw_panels() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const float em = ImGui::GetFontSize();
+  const PanelContext context{session_, commands_, fonts_.semibold};
+  const ShownDraw shown = shown_draw(session_);
+  const std::string note = exporter_.busy() ? "Exporting..." : export_note_;
+  const auto open_dialog = [this] { ask_to_open(); };
+  drag_columns(io.DisplaySize, em, shares_);
+  const Layout layout = lay_out(io.DisplaySize, shares_, em);
+
+  ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, theme::kWindow);
+  draw_top_bar(context, layout.top_bar, open_dialog, [this] { help_open_ = true; });
+  photo_.draw(context, layout.photo, open_dialog);
+  preview_.draw(context, layout.preview, shown, photo_.picture(), previews_.problem(), previews_.waiting());
+  scatter_.draw(context, layout.scatter);
+  material_.draw(context, layout.material, shown);
+  draw_chains_panel(context, layout.chains);
+  draw_.draw(context, layout.draw, shown, note, [this] { ask_to_export(); });
+  draw_dialogs(context);
+  // After the panels, so that a click is answered in the frame that saw it.
+  previews_.want(session_, shown_draw(session_), preview_.resolution());
+}
+
+void App::draw_dialogs(const PanelContext& context) {
+  banner_.draw(context, ImGui::GetIO().DisplaySize);
+  draw_help_sheet(context, help_open_);
+  const auto chosen = dialog_.draw(context);
+  if (!chosen) return;
+  if (dialog_.purpose() == FileDialog::Purpose::open) {
+    commands_.push_back([this, path = *chosen] { load(path); });
+  } else {
+    commands_.push_back([this, path = *chosen] { start_export(path); });
+  }
+}
+
+void App::ask_to_open() {
+  const auto last = dialog_.folder();
+  dialog_.show(FileDialog::Purpose::open, last.empty() ? home() : last, {});
+}
+
+void App::ask_to_export() {
+  if (exporter_.busy()) return;
+  const ShownDraw shown = shown_draw(session_);
+  const PreviewRequest picture = preview_request(session_, shown, draw_.export_resolution());
+  export_request_ =
+      ExportRequest{picture.material, picture.z_seed, picture.capture, picture.values, picture.resolution};
+  std::string name = picture.material;
+  if (session_.has_photo()) name = session_.photo_name() + "-" + name;
+  if (shown.draw) {
+    const DrawColumns& draws = session_.model().draws();
+    name += "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
+            std::to_string(draws.iteration(*shown.draw) + 1);
+  }
+  const auto last = dialog_.folder();
+  dialog_.show(FileDialog::Purpose::export_folder, last.empty() ? home() : last, name);
+}
+
+void App::start_export(const std::filesystem::path& folder) {
+  if (export_request_ && !exporter_.busy()) exporter_.start(*export_request_, folder);
+}
+
+}  // namespace patina

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/material/parameter.h"
+#include "gui/layout.h"
+#include "gui/plot_view.h"
+
+namespace patina {
+
+/// Room around a plot for its tick labels: left and below, in em.
+inline constexpr float kTickRoomLeft = 3.6f;
+inline constexpr float kTickRoomBelow = 1.6f;
+
+/// Draws a plot's ground and grid lines.
+void draw_plot_ground(const PlotView& view, const ParameterTable& table, const PlotAxis& x,
+                      const PlotAxis& y);
+
+/// Draws the tick labels left of and below the plot. Labels that would overlap their neighbours are left out.
+void draw_tick_labels(const PlotView& view, const ParameterTable& table, const PlotAxis& x,
+                      const PlotAxis& y);
+
+}  // namespace patina

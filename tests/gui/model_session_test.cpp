@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include "engine/error.h"
+#include "engine/io/image_file.h"
+#include "engine/material/registry.h"
+#include "gui/session.h"
+#include "gui/shown_draw.h"
+#include "tests/gui/fake_source.h"
+#include "tests/gui/temporary_folder.h"
+
+namespace patina {
+namespace {
+
+using testing::draw_at;
+using testing::FakeRun;
+using testing::FakeSource;
+using testing::TemporaryFolder;
+
+/// A session whose runs are fakes, and a small photo to open.
+class SessionTest : public ::testing::Test {
+ protected:
+  SessionTest() {
+    Image image(40, 40, 3);
+    std::fill(image.pixels.begin(), image.pixels.end(), 0.5f);
+    write_image(photo_, image);
+  }
+
+  RunFactory factory() {
+    RunFactory factory;
+    factory.start = [this](const RunSettings& settings, const Photo& photo,
+                           const std::filesystem::path& directory, auto) {
+      if (refuse_) throw UserError("Refused for the test.");
+      started_ = settings;
+      return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
+    };
+    factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
+      if (!std::filesystem::exists(directory / "run.json"))
+        throw UserError("There is no run in " + directory.string() + ".");
+      return std::make_unique<FakeSource>(run_, RunSettings(), testing::small_table(), Image(40, 40, 3),
+                                          directory);
+    };
+    return factory;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path photo_ = folder_.path() / "oak door.png";
+  std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();
+  RunSettings started_;
+  bool refuse_ = false;
+  Session session_{factory(), folder_.path() / "runs", {}};
+};
+
+TEST_F(SessionTest, NeedsAPhotoToStart) {
+  EXPECT_THROW(session_.start(), UserError);
+  EXPECT_FALSE(session_.has_run());
+}
+
+TEST_F(SessionTest, StartsARunOfTheChosenMaterialInADirectoryNamedAfterThePhoto) {
+  session_.open(photo_);
+  session_.set_material("leather");
+  session_.start();
+  EXPECT_EQ(started_.material, "leather");
+  const auto directory = session_.run().directory();
+  EXPECT_EQ(directory.parent_path(), folder_.path() / "runs");
+  EXPECT_TRUE(directory.filename().string().starts_with("oak door-leather-")) << directory;
+}
+
+TEST_F(SessionTest, TakesInEveryDrawOnce) {
+  session_.open(photo_);
+  session_.start();
+  for (int i = 0; i < 10; ++i) {
+    run_->feed({draw_at(0.1 * i, 0.5, -i), draw_at(0.1 * i, 0.6, -i)});
+    session_.poll();
+    session_.poll();
+  }
+  EXPECT_EQ(session_.model().draws().size(), 20u);
+}
+
+TEST_F(SessionTest, KeepsEverythingWhenSomethingCannotBeOpenedOrStarted) {
+  session_.open(photo_);
+  session_.start();
+  run_->feed({draw_at(0.1, 0.5, -1)});
+  session_.poll();
+  const auto* run = &session_.run();
+  const int versions = session_.run_version() + session_.photo_version();
+  std::ofstream(folder_.path() / "notes.txt") << "not a picture";
+  refuse_ = true;
+  EXPECT_THROW(session_.open(folder_.path() / "notes.txt"), UserError);
+  EXPECT_THROW(session_.open(folder_.path()), UserError);
+  EXPECT_THROW(session_.set_material("unobtainium"), UserError);
+  EXPECT_THROW(session_.start(), UserError);
+  EXPECT_EQ(&session_.run(), run);
+  EXPECT_EQ(session_.model().draws().size(), 1u);
+  EXPECT_EQ(session_.run_version() + session_.photo_version(), versions);
+  EXPECT_EQ(session_.settings().material, "bump");
+}
+
+TEST_F(SessionTest, OpensARunDirectoryWithItsPhoto) {
+  std::ofstream(folder_.path() / "run.json") << "{}";
+  session_.open(folder_.path());
+  EXPECT_TRUE(session_.has_run());
+  EXPECT_EQ(session_.photo().image.width, 40);
+}
+
+TEST_F(SessionTest, ResizingTheSampleKeepsTheFieldOfView) {
+  const Capture before = session_.settings().capture;
+  session_.set_size_cm(10);
+  EXPECT_EQ(session_.settings().capture.size_cm, 10);
+  EXPECT_DOUBLE_EQ(session_.settings().capture.camera_cm / 10, before.camera_cm / before.size_cm);
+}
+
+TEST_F(SessionTest, ShowsTypicalThenSearchThenBestThenSelected) {
+  EXPECT_EQ(shown_draw(session_).kind, ShownDraw::Kind::typical);
+  EXPECT_EQ(shown_draw(session_).values, prior_location(material_table("bump")));
+  session_.open(photo_);
+  session_.start();
+  run_->status.best = ParameterValues{{0.4, 0.4}, {1}};
+  run_->status.best_lp = -5;
+  run_->feed({draw_at(0.1, 0.5, -7)});
+  session_.poll();
+  EXPECT_EQ(shown_draw(session_).kind, ShownDraw::Kind::search);
+  EXPECT_EQ(shown_draw(session_).values, *run_->status.best);
+  run_->feed({draw_at(0.2, 0.5, -3), draw_at(0.3, 0.5, -4)});
+  session_.poll();
+  EXPECT_EQ(shown_draw(session_).kind, ShownDraw::Kind::best);
+  EXPECT_EQ(shown_draw(session_).draw, 1u);
+  session_.model().select(2);
+  EXPECT_EQ(shown_draw(session_).kind, ShownDraw::Kind::selected);
+  EXPECT_EQ(shown_draw(session_).values, (ParameterValues{{0.3, 0.5}, {0}}));
+}
+
+TEST_F(SessionTest, SummarisesLiveWhatSummarizeDrawsSays) {
+  session_.open(photo_);
+  session_.start();
+  std::vector<Draw> draws;
+  for (int i = 0; i < 400; ++i) {
+    draws.push_back(draw_at(0.5 + 0.4 * std::sin(7.0 * i), 0.5 + 0.3 * std::cos(3.0 * i), -0.01 * (i % 17),
+                            i < 80, i % 4));
+    draws.back().iteration = i / 4;
+  }
+  run_->feed(draws);
+  for (int wait = 0; wait < 1000 && !session_.summary(); ++wait) {
+    session_.poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(session_.summary());
+  draws.erase(draws.begin(), draws.begin() + 80);
+  const RunSummary expected = summarize_draws(testing::small_table(), draws);
+  ASSERT_EQ(session_.summary()->quantities.size(), expected.quantities.size());
+  for (std::size_t i = 0; i < expected.quantities.size(); ++i) {
+    EXPECT_DOUBLE_EQ(session_.summary()->quantities[i].mean, expected.quantities[i].mean);
+    EXPECT_DOUBLE_EQ(session_.summary()->quantities[i].sd, expected.quantities[i].sd);
+  }
+}
+
+}  // namespace
+}  // namespace patina
