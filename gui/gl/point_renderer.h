@@ -18,8 +18,10 @@ struct PlotPoint {
 };
 
 struct PointStyle {
-  float diameter = 4;                   ///< pixels
-  std::size_t density_above = 100'000;  ///< from this many points on, a map of their density is shown instead
+  float diameter = 4;  ///< pixels
+  /// From this many points on a map of their density is shown instead: a plot is covered by then, and a
+  /// processor that draws in software needs 20 ms for them.
+  std::size_t density_above = 30'000;
   bool operator==(const PointStyle&) const = default;
 };
 

@@ -1,9 +1,11 @@
 // The preview's shader against the engine's own render, for the materials' maps at draws from their priors.
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 
+#include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "gl_fixture.h"
 #include "gui/gl/surface_renderer.h"
@@ -11,7 +13,8 @@
 namespace patina {
 namespace {
 
-constexpr double kTolerance = 2.0 / 255;
+// The preview has 8 bits: rounding alone makes a mean difference of 1/4 of a level.
+constexpr double kTolerance = 0.3 / 255;
 
 ParameterValues prior_draw(const ParameterTable& table, std::mt19937& random) {
   ParameterValues values;
@@ -63,12 +66,12 @@ TEST_P(PreviewTest, WouldNotEqualTheRenderOfAnotherRoughness) {
   const ParameterValues values = prior_location(engine.table());
   MaterialMaps maps = engine.maps(values, 256);
   for (LobeMaps& lobe : maps.lobes) {
-    for (float& roughness : lobe.roughness.pixels) roughness = std::clamp(roughness * 0.7f, 0.05f, 1.0f);
+    for (float& roughness : lobe.roughness.pixels) roughness = std::clamp(roughness * 0.95f, 0.05f, 1.0f);
   }
   EXPECT_GT(mean_difference(preview(gl(), maps, DisplayCurve::srgb), engine.render(values, 256)), kTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, PreviewTest, ::testing::Values("bump", "leather"),
+INSTANTIATE_TEST_SUITE_P(Materials, PreviewTest, ::testing::ValuesIn(material_names()),
                          [](const auto& info) { return info.param; });
 
 }  // namespace
