@@ -23,6 +23,8 @@ int refuse(const std::string& sentence, int status) {
   return status;
 }
 
+std::string with_help(const char* what) { return first_line(what) + " (see patina-cli --help)"; }
+
 int run(int argc, char** argv) {
   CLI::App app("Posterior draws of a procedural material that could have made a photo", "patina-cli");
   app.set_version_flag("--version", program_version(), "Print the version");
@@ -38,8 +40,14 @@ int run(int argc, char** argv) {
     return chosen();
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
+  } catch (const CLI::RequiredError& error) {
+    const bool no_command = app.get_subcommands().empty();
+    return refuse(no_command
+                      ? "Name a command: fit, render, summarize, export or materials (see patina-cli --help)"
+                      : with_help(error.what()),
+                  kBadInput);
   } catch (const CLI::ParseError& error) {
-    return refuse(first_line(error.what()) + " (see patina-cli --help)", kBadInput);
+    return refuse(with_help(error.what()), kBadInput);
   } catch (const UserError& error) {
     return refuse(error.what(), kBadInput);
   } catch (const std::exception& error) {

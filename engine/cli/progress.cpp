@@ -33,7 +33,7 @@ bool is_drawing(RunPhase phase) { return phase == RunPhase::warming_up || phase 
 }  // namespace
 
 double progress_fraction(const RunSettings& settings, const RunStatus& status) {
-  if (transitions(status) == 0) return status.search_fraction;
+  if (!is_drawing(status.phase)) return status.search_fraction;
   return static_cast<double>(transitions(status)) / static_cast<double>(all_transitions(settings));
 }
 

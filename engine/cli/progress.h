@@ -11,7 +11,7 @@ namespace patina {
 /// How far a run is, in words: "drawing samples, 43 %, 212 draws a second, about 12 s left".
 std::string progress_line(const RunSettings& settings, const RunStatus& status);
 
-/// The share of the present phase that is done, 0 to 1: of the search, then of all transitions.
+/// The share that is done, 0 to 1: of the search, then of all transitions.
 double progress_fraction(const RunSettings& settings, const RunStatus& status);
 
 /// Shows a run's progress on stderr: a bar that is redrawn on a terminal, else a line every ten seconds and

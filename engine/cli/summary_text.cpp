@@ -102,7 +102,7 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
   for (const QuantitySummary& quantity : summary.quantities) text += quantity_line(quantity);
   for (const ChainSummary& chain : summary.chains)
     text += "chain " + std::to_string(chain.chain + 1) + ": " + std::to_string(chain.draws) +
-            " draws, acceptance" + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
+            " draws, acceptance " + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
             " divergences\n";
   return text;
 }

@@ -24,7 +24,7 @@ struct flock whole_file() {
 // between two runs of one process as well.
 
 RunLock::RunLock(const std::filesystem::path& file)
-    : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    : file_(file), descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) refuse_write(file, errno);
   struct flock lock = whole_file();
   if (::fcntl(descriptor_, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
@@ -33,7 +33,10 @@ RunLock::RunLock(const std::filesystem::path& file)
                   ": choose another directory.");
 }
 
-RunLock::~RunLock() { ::close(descriptor_); }
+RunLock::~RunLock() {
+  ::unlink(file_.c_str());
+  ::close(descriptor_);
+}
 
 bool is_locked(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);

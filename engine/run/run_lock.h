@@ -5,8 +5,8 @@
 namespace patina {
 
 /// Held by the process that writes a run directory for as long as it writes. The system drops it when the
-/// process ends, however it ends. Where the file system has no locks, the run merely looks finished to
-/// others.
+/// process ends, however it ends; the file goes with the holder. Where the file system has no locks, the run
+/// merely looks finished to others.
 class RunLock {
  public:
   /// @throws UserError if the file cannot be made, or another writer holds it
@@ -16,6 +16,7 @@ class RunLock {
   RunLock& operator=(const RunLock&) = delete;
 
  private:
+  std::filesystem::path file_;
   int descriptor_;
 };
 

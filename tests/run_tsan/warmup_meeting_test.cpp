@@ -1,0 +1,67 @@
+// Built with ThreadSanitizer: a data race fails the test by itself.
+#include "engine/run/warmup_meeting.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "engine/run/run_control.h"
+#include "engine/sampling/warmup.h"
+
+namespace patina {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kChains = 3;
+
+Eigen::MatrixXd positions(int chain, int meeting) {
+  Eigen::MatrixXd matrix(2, 20);
+  for (int i = 0; i < 20; ++i)
+    matrix.col(i) << std::sin(7 * i + chain), (meeting + 1) * std::cos(3 * i * chain);
+  return matrix;
+}
+
+TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
+  constexpr int kMeetings = 50;
+  WarmupMeeting meeting(kChains);
+  const std::stop_source never;
+  std::vector<std::jthread> chains;
+  std::atomic<int> right{0};
+  for (int k = 0; k < kChains; ++k)
+    chains.emplace_back([&, k] {
+      for (int m = 0; m < kMeetings; ++m) {
+        std::vector<Eigen::MatrixXd> all;
+        for (int other = 0; other < kChains; ++other) all.push_back(positions(other, m));
+        if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
+        const auto metric = meeting.meet(k, positions(k, m), never.get_token());
+        right += metric->covariance() == pooled_covariance(all);
+      }
+    });
+  chains.clear();
+  EXPECT_EQ(right, kChains * kMeetings);
+}
+
+TEST(WarmupMeeting, AStopReleasesTheChainsThatWait) {
+  WarmupMeeting meeting(kChains);
+  std::stop_source stop;
+  std::atomic<int> released{0};
+  std::vector<std::jthread> chains;
+  for (int k = 0; k + 1 < kChains; ++k)  // the last one never comes
+    chains.emplace_back([&, k] {
+      try {
+        meeting.meet(k, positions(k, 0), stop.get_token());
+      } catch (const RunStopped&) {
+        ++released;
+      }
+    });
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(released, 0);
+  stop.request_stop();
+  chains.clear();
+  EXPECT_EQ(released, kChains - 1);
+}
+
+}  // namespace
+}  // namespace patina
