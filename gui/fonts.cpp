@@ -18,7 +18,6 @@ constexpr ImWchar kSymbols[] = {0x2070, 0x209f,      // superscripts and subscri
                                 0x221e, 0x221e,      // infinity
                                 0x2248, 0x2248,      // about equal
                                 0x2260, 0x2265,      // unequal, at most, at least
-                                0x23f8, 0x23f9,      // pause, stop
                                 0x25a0, 0x25cf,      // squares, triangles, discs
                                 0x2713, 0x2717, 0};  // ticks and crosses
 

@@ -62,7 +62,6 @@ namespace patina {
   F(UNIFORM1I, Uniform1i)                             \
   F(UNIFORM2F, Uniform2f)                             \
   F(UNIFORM3F, Uniform3f)                             \
-  F(UNIFORM4F, Uniform4f)                             \
   F(USEPROGRAM, UseProgram)                           \
   F(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
   F(VIEWPORT, Viewport)
