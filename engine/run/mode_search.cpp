@@ -5,11 +5,13 @@
 
 #include "engine/error.h"
 #include "engine/run/controlled_density.h"
+#include "engine/run/threads.h"
 
 namespace patina {
 namespace {
 
-constexpr int kCoarsest = 64;
+/// At fewer pixels the grain that tells leathers apart is gone, and the search settles in the wrong basin.
+constexpr int kCoarsest = 128;
 
 void report(RunShared& shared, const Posterior& posterior, double fraction, const Position& best, double lp) {
   shared.edit_status([&](RunStatus& status) {
@@ -39,6 +41,8 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   }
   const Posterior& posterior = *posteriors.back();
   MapSearchSettings search;
+  search.threads = hardware_threads();
+  search.enter_thread = [] { use_tensor_threads(1); };
   search.progress = [&](double fraction, const Position& best, double lp) {
     report(shared, posterior, fraction, best, lp);
   };

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/parallel_for.h"
 
 namespace patina {
 namespace {
@@ -53,7 +57,7 @@ class Search {
     climb_all(results, 0, settings_.coarse_iterations);
     // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
     std::vector<OptimizerResult> finalists = distinct(results, finalist_count());
-    for (OptimizerResult& finalist : finalists) sweep_levels(finalist);
+    for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
     results.insert(results.end(), finalists.begin(), finalists.end());
     sort_best_first(results);
     results = distinct(results, finalist_count());
@@ -68,6 +72,14 @@ class Search {
   int finalist_count() const { return std::max(settings_.finalists, 1); }
   int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
 
+  void for_all(std::size_t count, const std::function<void(std::size_t)>& work) const {
+    parallel_for(count, settings_.threads, work, settings_.enter_thread);
+  }
+
+  static Evaluation nothing(Eigen::Index dimension) {
+    return {-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(dimension)};
+  }
+
   OptimizerResult evaluate(const LogDensity& target, Position position) const {
     OptimizerResult result;
     result.evaluation = evaluate_finite(target, position);
@@ -79,12 +91,15 @@ class Search {
   /// The prior's mode, then draws from the prior, on the coarsest target. At least one, best first.
   std::vector<OptimizerResult> candidates() {
     const Eigen::Index n = targets_.front()->dimension();
-    std::vector<OptimizerResult> results;
-    for (int i = 0; i <= settings_.prior_draws && (i == 0 || !stopped()); ++i) {
-      Position position{i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
-      results.push_back(evaluate(*targets_.front(), std::move(position)));
-      report(results.back(), 1);
-    }
+    std::vector<OptimizerResult> results(static_cast<std::size_t>(settings_.prior_draws) + 1);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      results[i].position = {i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
+    for_all(results.size(), [&](std::size_t i) {
+      results[i].evaluation = nothing(n);
+      if (i > 0 && stopped()) return;
+      results[i] = evaluate(*targets_.front(), results[i].position);
+      report(results[i], 1);
+    });
     sort_best_first(results);
     return results;
   }
@@ -97,11 +112,11 @@ class Search {
 
   void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {
     best_known_ = false;  // log densities of two targets do not compare
-    for (OptimizerResult& result : results) {
+    for_all(results.size(), [&](std::size_t i) {
       if (stopped()) return;
-      result = climb(*targets_[target], result.position, iterations);
-      report(result, iterations * std::pow(kCostRatio, target));
-    }
+      results[i] = climb(*targets_[target], results[i].position, iterations);
+      report(results[i], iterations * std::pow(kCostRatio, target));
+    });
     sort_best_first(results);
   }
 
@@ -133,6 +148,7 @@ class Search {
   }
 
   void report(const OptimizerResult& result, double work) {
+    const std::lock_guard lock(mutex_);
     done_ += work;
     if (!best_known_ || result.evaluation.log_density > best_.evaluation.log_density) best_ = result;
     best_known_ = true;
@@ -150,6 +166,7 @@ class Search {
   Rng& rng_;
   const MapSearchSettings& settings_;
   std::vector<int> levels_;
+  std::mutex mutex_;  ///< guards what report() keeps
   OptimizerResult best_;
   bool best_known_ = false;
   double done_ = 0, total_ = 0;

@@ -16,7 +16,11 @@ struct MapSearchSettings {
   int finalists = 2;     ///< best of those that are climbed from on every finer target
   int coarse_iterations = 40;
   int fine_iterations = 40;
-  std::function<bool()> stop_requested;
+  int threads =
+      1;  ///< candidates, and climbs from different starts, run at the same time; the result is the same
+  std::function<void()> enter_thread;    ///< called first on each thread of the search; may be empty
+  std::function<bool()> stop_requested;  ///< asked from those threads
+  /// Called from those threads, one at a time.
   std::function<void(double fraction, const Position& best, double log_density)> progress;
 };
 

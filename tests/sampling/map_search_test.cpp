@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/sampling/targets.h"
@@ -79,6 +80,30 @@ TEST(SearchMap, is_decided_by_its_seed) {
   EXPECT_EQ(search_map({&target}, first).best.position.continuous,
             search_map({&target}, second).best.position.continuous);
   EXPECT_EQ(first.position(), second.position());
+}
+
+TEST(SearchMap, finds_the_same_on_any_number_of_threads) {
+  const FunctionTarget coarse = two_modes(0.2), fine = two_modes(0);
+  const auto found_by = [&](int threads) {
+    MapSearchSettings settings;
+    settings.threads = threads;
+    Rng rng(8);
+    return search_map({&coarse, &fine}, rng, settings);
+  };
+  const MapSearchResult alone = found_by(1), together = found_by(4);
+  EXPECT_EQ(alone.best.position.continuous, together.best.position.continuous);
+  ASSERT_EQ(alone.basins.size(), together.basins.size());
+  for (std::size_t i = 0; i < alone.basins.size(); ++i)
+    EXPECT_EQ(alone.basins[i].evaluation.log_density, together.basins[i].evaluation.log_density);
+}
+
+TEST(SearchMap, passes_on_what_a_target_throws_on_any_thread) {
+  const FunctionTarget broken{
+      2, [](const Position&) -> Evaluation { throw std::runtime_error("no device"); }, {}};
+  MapSearchSettings settings;
+  settings.threads = 3;
+  Rng rng(9);
+  EXPECT_THROW(search_map({&broken}, rng, settings), std::runtime_error);
 }
 
 TEST(SearchMap, reports_progress_from_nothing_to_all_and_a_best_that_is_where_it_says) {
