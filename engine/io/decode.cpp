@@ -16,6 +16,11 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kMaxPixels = 128'000'000;
 constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{1} << 30;
 
+// Deflate reaches 1032:1 on a single colour and no photo comes near it, so that more is a lie or a bomb.
+// Small images cost nothing to try.
+constexpr std::uint64_t kMaxCompression = 5000;
+constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
+
 std::string size_text(const OIIO::ImageSpec& spec) {
   return std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels";
 }
@@ -34,6 +39,13 @@ void check_header(const fs::path& file, const OIIO::ImageSpec& spec, int min_sid
                           spec.tile_bytes(true) <= kMaxDecodedBytes;
   if (spec.depth > 1 || spec.deep || spec.nchannels < 1 || spec.nchannels > 64 || !sane_tiles)
     refuse_image(file, "is not a flat image: save it as PNG or JPEG.");
+}
+
+void check_compression(const fs::path& file, const OIIO::ImageSpec& spec, std::size_t file_bytes) {
+  const std::uint64_t decoded = spec.image_bytes(true);
+  if (decoded > kHarmlessBytes && decoded / kMaxCompression > file_bytes)
+    refuse_image(file, "is damaged or no photo, for its " + std::to_string(file_bytes) +
+                           " bytes are too few for " + size_text(spec) + ": copy or save it again.");
 }
 
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& file, const std::string& format,
@@ -79,6 +91,7 @@ DecodedImage decode_image(const fs::path& file, std::string_view bytes, int min_
   try {
     const auto input = open_image(file, image.format, image.header);
     check_header(file, image.header, min_side, max_side);
+    check_compression(file, image.header, bytes.size());
     image.cmyk = image.format == "jpeg" ? jpeg_components(bytes) == 4
                                         : image.header.get_string_attribute("tiff:ColorSpace") == "CMYK";
     image.pixels = read_pixels(file, *input, image.header);

@@ -82,6 +82,13 @@ TEST_F(PhotoRefusal, TooLargeASideFromTheHeaderAlone) {
   EXPECT_NE(refusal(file("c.png", png_header(100, 100))).find("damaged"), std::string::npos);
 }
 
+TEST_F(PhotoRefusal, MorePixelsThanSoFewBytesCanHold) {
+  EXPECT_NE(refusal(file("bomb.png", png_header(10000, 10000))).find("too few for 10000 x 10000"),
+            std::string::npos);
+  write_test_image(folder_ / "flat.png", Image(6000, 6000, 3));  // as well compressed as PNG can
+  EXPECT_EQ(refusal(folder_ / "flat.png"), "");
+}
+
 TEST_F(PhotoRefusal, RandomBytesWithAnyKnownBeginning) {
   std::mt19937 generator(7);
   for (const std::string& beginning :

@@ -30,6 +30,7 @@ class TemporaryFolder : public ::testing::Test {
 
   /// Writes bytes to a file in the folder; returns its path.
   std::filesystem::path file(const std::string& name, std::string_view bytes) const {
+    std::filesystem::remove(folder_ / name);  // some file systems wait for the disk when one is overwritten
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
     return folder_ / name;
   }
