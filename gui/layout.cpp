@@ -7,8 +7,13 @@ namespace {
 
 constexpr float kGap = 0.5f;      // em
 constexpr float kTopBar = 3.0f;   // em
-constexpr float kChains = 15.5f;  // em
-constexpr float kDraw = 8.6f;     // em
+constexpr float kChains = 14.5f;  // em
+constexpr float kDraw = 8.2f;     // em
+
+/// The right column's tables need their room even in a small window.
+float right_width(ImVec2 size, const ColumnShares& shares, float em) {
+  return std::max(shares.right * size.x, std::min(25 * em, 0.42f * size.x));
+}
 
 void drag_gap(const char* name, float x, ImVec2 size, float em, float sign, float& share) {
   ImGui::SetNextWindowPos({x - 0.5f * kGap * em, kTopBar * em});
@@ -31,7 +36,7 @@ void drag_gap(const char* name, float x, ImVec2 size, float em, float sign, floa
 Layout lay_out(ImVec2 size, const ColumnShares& shares, float em) {
   const float gap = kGap * em, top = kTopBar * em;
   const float body = size.y - top - gap;
-  const float left = shares.left * size.x, right = shares.right * size.x;
+  const float left = shares.left * size.x, right = right_width(size, shares, em);
   const float middle = size.x - left - right - 4 * gap;
   const float half = 0.5f * (body - gap);
   const float x_middle = 2 * gap + left, x_right = x_middle + middle + gap;
@@ -51,7 +56,7 @@ Layout lay_out(ImVec2 size, const ColumnShares& shares, float em) {
 void drag_columns(ImVec2 size, float em, ColumnShares& shares) {
   const float gap = kGap * em;
   drag_gap("##left gap", 1.5f * gap + shares.left * size.x, size, em, 1, shares.left);
-  drag_gap("##right gap", size.x - 1.5f * gap - shares.right * size.x, size, em, -1, shares.right);
+  drag_gap("##right gap", size.x - 1.5f * gap - right_width(size, shares, em), size, em, -1, shares.right);
 }
 
 }  // namespace patina

@@ -13,7 +13,7 @@ struct Rect {
 /// How the window's width is shared; the scatter plot has what is left.
 struct ColumnShares {
   float left = 0.27f;
-  float right = 0.30f;
+  float right = 0.31f;
 };
 
 /// Where every panel goes.

@@ -24,7 +24,8 @@ class ThinnedDraws {
     std::copy_if(std::make_move_iterator(arrived.begin()), std::make_move_iterator(arrived.end()),
                  std::back_inserter(draws_), [&](const Draw& draw) { return keeps(draw); });
     const bool grew = draws_.size() > before;
-    while (draws_.size() > SummaryWorker::kMaxDraws) {
+    // The second condition ends the loop for draws that all claim one iteration.
+    while (draws_.size() > SummaryWorker::kMaxDraws && every_ < (std::int64_t{1} << 40)) {
       every_ *= 2;
       std::erase_if(draws_, [&](const Draw& draw) { return !keeps(draw); });
     }

@@ -79,6 +79,15 @@ std::string number_text(double value, int significant) {
   return text == "-0" ? "0" : text;
 }
 
+std::string mean_sd_text(double mean, double sd) {
+  if (!std::isfinite(mean) || !std::isfinite(sd) || sd <= 0) return number_text(mean);
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(sd))));
+  if (decimals > 6 || std::abs(mean) >= 1e6) return number_text(mean) + " \u00b1 " + number_text(sd, 2);
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f \u00b1 %.*f", decimals, mean, decimals, sd);
+  return buffer.data();
+}
+
 std::string count_text(long long count) {
   std::string digits = std::to_string(count);
   const std::ptrdiff_t first = count < 0 ? 1 : 0;

@@ -18,6 +18,10 @@ std::string capitalised(std::string_view name);
 /// finite.
 std::string number_text(double value, int significant = 3);
 
+/// A mean and its spread to two digits of the spread: "0.400 ± 0.030"; the mean alone where there is no
+/// spread.
+std::string mean_sd_text(double mean, double sd);
+
 /// A count with thin groups of three: "12 400".
 std::string count_text(long long count);
 

@@ -32,17 +32,21 @@ void draw_progress(const RunStatus& status, const RunSettings& settings) {
   ImGui::PopStyleColor();
 }
 
+/// Beside the panel's title: what the run is doing, and how much of it is done.
 void draw_phase(const PanelContext& context) {
   const RunStatus& status = context.session.status();
+  ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, phase_color(status.phase));
-  heading_text(context, phase_text(status.phase));
+  ImGui::TextUnformatted(phase_text(status.phase).c_str());
   ImGui::PopStyleColor();
   const std::size_t draws = context.session.model().draws().size();
-  std::string right = draws > 0 ? count_text(static_cast<long long>(draws)) + " draws" : "";
-  if (is_active(status.phase) && status.draws_per_second > 0)
-    right += ", " + number_text(status.draws_per_second, 2) + " per second";
+  if (draws == 0) return;
+  std::string right = count_text(static_cast<long long>(draws)) + " draws";
+  if (is_active(status.phase) && status.draws_per_second > 0) {
+    right += ", " + number_text(status.draws_per_second, 2) + "/s";
+  }
   align_right(ImGui::CalcTextSize(right.c_str()).x);
-  ImGui::TextDisabled("%s", right.c_str());
+  elided_text(right, ImGui::GetContentRegionAvail().x, theme::kMuted);
 }
 
 /// The worst R-hat and the smallest ESS over all quantities: the two numbers that decide whether to wait.
@@ -54,6 +58,17 @@ std::string agreement(const RunSummary& summary) {
   }
   if (rhat == 0 || !std::isfinite(ess)) return {};
   return "R-hat up to " + number_text(rhat, 3) + ", ESS at least " + number_text(std::floor(ess), 3);
+}
+
+/// The line below the bar: why a run stopped, else how far the chains agree, else what the run says of
+/// itself.
+std::string news(const Session& session) {
+  const RunStatus& status = session.status();
+  const std::string agreed = session.summary() ? agreement(*session.summary()) : std::string();
+  const bool told = status.phase == RunPhase::failed || status.phase == RunPhase::paused;
+  if (!agreed.empty() && !told) return agreed;
+  return status.phase == RunPhase::warming_up ? "Whether the chains agree shows after warm-up"
+                                              : status.message;
 }
 
 void draw_chain_row(int number, const ChainStatus& chain) {
@@ -126,9 +141,7 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect) {
   }
   draw_phase(context);
   draw_progress(session.status(), session.run().settings());
-  const std::string agreed = session.summary() ? agreement(*session.summary()) : std::string();
-  elided_text(agreed.empty() ? session.status().message : agreed, ImGui::GetContentRegionAvail().x,
-              theme::kMuted);
+  elided_text(news(session), ImGui::GetContentRegionAvail().x, theme::kMuted);
   const float buttons = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
   draw_chain_table(session.status(), std::max(1.0f, ImGui::GetContentRegionAvail().y - buttons));
   draw_buttons(context);

@@ -33,6 +33,7 @@ void ErrorBanner::draw(const PanelContext& context, ImVec2 window_size) {
   for (const Message& message : messages_) {
     ImGui::PushStyleColor(ImGuiCol_Text, message.kind == Kind::error ? theme::kError : theme::kWarning);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(message.sentence.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();

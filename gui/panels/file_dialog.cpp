@@ -98,9 +98,9 @@ void FileDialog::draw_entries() {
     const bool greyed = purpose_ == Purpose::export_folder && entry.kind == DirectoryEntry::Kind::image;
     ImGui::BeginDisabled(greyed);
     if (ImGui::Selectable(("##" + entry.name).c_str(), false)) accepted = entry;
-    ImGui::SameLine(0.5f * em);
+    ImGui::SameLine(1.2f * em);
     ImGui::TextDisabled("%s", kind_text(entry.kind));
-    ImGui::SameLine(5 * em);
+    ImGui::SameLine(6 * em);
     ImGui::TextUnformatted(entry.name.c_str());
     ImGui::EndDisabled();
   }

@@ -11,7 +11,7 @@ namespace {
 using Line = std::pair<const char*, const char*>;
 
 constexpr std::array<Line, 11> kKeys{{{"Drop a file", "Open a photo, or a run's directory"},
-                                      {"Ctrl+O", "Open..."},
+                                      {"Ctrl+O", "Open a photo or a run"},
                                       {"Space", "Pause or resume the run"},
                                       {"Left, right", "Next better, next less likely draw"},
                                       {"Esc", "Let go of the selected draw; dismiss a message"},
@@ -20,7 +20,7 @@ constexpr std::array<Line, 11> kKeys{{{"Drop a file", "Open a photo, or a run's 
                                       {"Click in the plot", "Select the nearest draw; its render appears"},
                                       {"Wheel, right drag", "Zoom and move the plot"},
                                       {"Double click", "Show all draws again"},
-                                      {"Drag in the preview", "Wipe between photo and render"}}};
+                                      {"Drag in the render", "Wipe between photo and render"}}};
 
 constexpr std::array<Line, 6> kWords{
     {{"Draw", "One material that could have made the photo. Many draws show what the photo leaves open."},

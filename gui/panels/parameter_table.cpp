@@ -47,10 +47,6 @@ void draw_range(const TruncatedNormal& prior, const QuantitySummary* quantity, d
   ImGui::Dummy({width, line});
 }
 
-std::string mean_and_sd(const QuantitySummary& quantity) {
-  return number_text(quantity.mean, 3) + " \u00b1 " + number_text(quantity.sd, 2);
-}
-
 void draw_knowledge(const QuantitySummary* quantity) {
   if (quantity == nullptr) {
     ImGui::TextDisabled("\u2013");
@@ -60,9 +56,9 @@ void draw_knowledge(const QuantitySummary* quantity) {
     ImGui::PopStyleColor();
     tooltip("Not pinned down by this photo: its spread is " +
             number_text(100 * quantity->sd_over_prior_sd, 2) + " % of what was assumed before looking (" +
-            mean_and_sd(*quantity) + "). Choose its value by taste.");
+            mean_sd_text(quantity->mean, quantity->sd) + "). Choose its value by taste.");
   } else {
-    ImGui::TextUnformatted(mean_and_sd(*quantity).c_str());
+    ImGui::TextUnformatted(mean_sd_text(quantity->mean, quantity->sd).c_str());
   }
 }
 
@@ -74,7 +70,7 @@ void draw_rhat(const QuantitySummary* quantity) {
   const double rhat = quantity->rhat;
   const ImU32 color = rhat < kGoodRhat ? theme::kAccent : rhat < kBadRhat ? theme::kText : theme::kWarning;
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(number_text(std::round(100 * rhat) / 100, 3).c_str());
+  ImGui::Text("%.2f", rhat);
   ImGui::PopStyleColor();
   tooltip("The chains " + std::string(rhat < kBadRhat ? "agree" : "do not agree yet") +
           " on this parameter (1 is perfect, below 1.1 is usable).\nWorth " +

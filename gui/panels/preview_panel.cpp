@@ -15,8 +15,9 @@ void PreviewPanel::draw(const PanelContext& context, const Rect& rect, const Sho
                         const Texture* photo, const std::string& problem, bool waiting) {
   const PanelScope panel("Render", rect, context, ImGuiWindowFlags_NoScrollbar);
   ImGui::SameLine();
-  ImGui::TextDisabled("%s%s", shown_draw_title(shown).c_str(), waiting ? " ..." : "");
   const float width = 5.6f * ImGui::GetFontSize();
+  const float room_for_title = ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x;
+  elided_text(shown_draw_title(shown) + (waiting ? " ..." : ""), room_for_title, theme::kMuted);
   align_right(width);
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});

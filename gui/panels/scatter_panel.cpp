@@ -39,7 +39,8 @@ void draw_legend(int chains) {
   const float em = ImGui::GetFontSize();
   const int shown = std::min(chains, kLegendChains);
   if (shown == 0) return;
-  align_right(3.2f * em + 2 * em * static_cast<float>(shown));
+  const float each = 1.35f * em + ImGui::CalcTextSize("0").x;
+  align_right(ImGui::CalcTextSize("Chain").x + each * static_cast<float>(shown));
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Chain");
   for (int chain = 0; chain < shown; ++chain) {

@@ -102,6 +102,7 @@ TEST_F(AppScatter, AHundredThousandDrawsAreShownAndCanBeSelected) {
   std::vector<Draw> draws;
   for (int i = 0; i < 100'000; ++i) {
     draws.push_back(draw(0.3 + 0.1 * std::sin(0.37 * i), 0.5 + 0.2 * std::cos(0.11 * i), -1e-4 * i, i % 4));
+    draws.back().iteration = i / 4;
   }
   draws.push_back(draw(0.6, 0.95, -1));
   start_run_of(draws);

@@ -61,6 +61,13 @@ TEST(Words, NumbersKeepTheirSignificantDigits) {
   }
 }
 
+TEST(Words, AMeanIsWrittenAsFinelyAsItsSpread) {
+  EXPECT_EQ(mean_sd_text(1503.7, 41.2), "1504 \u00b1 41");
+  EXPECT_EQ(mean_sd_text(0.4, 0.03), "0.400 \u00b1 0.030");
+  EXPECT_EQ(mean_sd_text(15, 0), "15");
+  EXPECT_EQ(mean_sd_text(0.5, std::nan("")), "0.5");
+}
+
 TEST(Words, ParametersAreNamedForTheEye) {
   EXPECT_EQ(parameter_label("albedo_r"), "Base colour red");
   EXPECT_EQ(parameter_label("rough"), "Roughness");
