@@ -1,10 +1,8 @@
 #include "engine/material/heightfield.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/core/grad_mode.h>
 #include <ATen/ops/arange.h>
 #include <ATen/ops/grid_sampler_2d.h>
-#include <ATen/ops/pad.h>
 #include <ATen/ops/remainder.h>
 #include <ATen/ops/roll.h>
 #include <ATen/ops/stack.h>
@@ -24,17 +22,15 @@ at::Tensor look_up(const at::Tensor& map, const at::Tensor& scale, const at::Ten
   constexpr int kBilinear = 0, kZeros = 0;
   const std::int64_t n = resolution;
   const at::Tensor pixel = (at::arange(n, scale.options().requires_grad(false)) + 0.5) * (2.0 / n) - 1;
-  // Texel centres at odd multiples of 1/m: one texel of wrap-around on each side lets bilinear weights cross
-  // the seam.
-  const double m = static_cast<double>(map.size(2));
-  const at::Tensor wrapped = at::pad(map, {1, 1, 1, 1}, "circular");
+  // [-1,1] is the map without its border.
+  const double with_border = static_cast<double>(map.size(2)), share = (with_border - 2) / with_border;
   const auto texture = [&](const at::Tensor& shift) {
-    const at::Tensor position = at::remainder((pixel + shift) * scale + 1, 2) - 1;
-    return position * (m / (m + 2));
+    return (at::remainder((pixel + shift) * scale + 1, 2) - 1) * share;
   };
   const at::Tensor x = texture(shift_x).view({1, n}).expand({n, n});
   const at::Tensor y = texture(shift_y).view({n, 1}).expand({n, n});
-  return at::grid_sampler_2d(wrapped, at::stack({x, y}, -1).unsqueeze(0), kBilinear, kZeros,
+  return at::grid_sampler_2d(map.to(scale.scalar_type()), at::stack({x, y}, -1).unsqueeze(0), kBilinear,
+                             kZeros,
                              /*align_corners=*/false)[0];
 }
 

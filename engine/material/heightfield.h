@@ -11,7 +11,8 @@ at::Tensor heightfield_normals(const at::Tensor& height, double pixel_cm);
 
 /// Looks a periodic map up bilinearly at ((pixel coordinate in [-1,1]) + shift) * scale, so that scale < 1
 /// magnifies (models.md "Capture"). Differentiable in scale and shift.
-/// @param map [1, c, m, m], spans [-1,1] x [-1,1] and repeats   @param scale, shift_x, shift_y  scalars
+/// @param map     [1, c, m + 2, m + 2] with its border (irregularities.h)
+/// @param scale, shift_x, shift_y  scalars
 /// @return    [c, n, n]
 at::Tensor look_up(const at::Tensor& map, const at::Tensor& scale, const at::Tensor& shift_x,
                    const at::Tensor& shift_y, int resolution);

@@ -7,11 +7,21 @@
 
 namespace patina {
 
+/// exp(i phase(f)) of independent uniform phases, one per integer frequency f: [n, n/2 + 1, 2], real and
+/// imaginary parts, laid out as fft2 of a real image: rows 0 ... -1, columns 0 ... n/2.
+struct Phasors {
+  at::Tensor forward;   ///< at f
+  at::Tensor mirrored;  ///< the conjugate of that at -f
+};
+
 /// The random input z of every material, all of it a pure function of one seed: where the bumps, cells and
-/// flakes lie. Maps are made on first use and kept; safe to use from several threads.
+/// flakes lie. Made on first use and kept, also for use under gradients; safe to use from several threads.
+///
+/// A map spans [-1,1] x [-1,1], repeats, and carries one texel of that repetition on every side, so that a
+/// bilinear look-up can cross the seam: [1, channels, kMapSize + 2, kMapSize + 2], float32.
 class Irregularities {
  public:
-  static constexpr int kMapSize = 1024;  ///< pixels a side of a generated map, which spans [-1,1] x [-1,1]
+  static constexpr int kMapSize = 1024;  ///< texels a side of a generated map, its border left out
   static constexpr int kMapChoices = 3;  ///< how many different noise and cell maps there are to choose from
 
   explicit Irregularities(std::uint64_t seed);
@@ -19,17 +29,17 @@ class Irregularities {
 
   std::uint64_t seed() const;
 
-  /// Independent uniform phases in [0, 2 pi), [n, n], one per integer frequency, laid out as fft2 expects.
   /// A frequency's phase does not depend on n, so that a finer grid only adds detail.
-  at::Tensor phases(int n) const;
+  /// @param type  float32, or float64
+  Phasors phasors(int n, at::ScalarType type = at::kFloat) const;
 
-  /// Fractal noise in [0,1], [1, 1, kMapSize, kMapSize], periodic; choice in [0, kMapChoices).
+  /// Fractal noise in [0,1], one channel; choice in [0, kMapChoices).
   at::Tensor noise(int choice) const;
 
-  /// Voronoi cells: 0 on the edges, 1 inside, [1, 1, kMapSize, kMapSize], periodic.
+  /// Voronoi cells: 0 on the edges, 1 inside, one channel; choice in [0, kMapChoices).
   at::Tensor cells(int choice) const;
 
-  /// cells(cell_choice) and noise(noise_choice) as the two channels of one map, [1, 2, kMapSize, kMapSize].
+  /// cells(cell_choice) and noise(noise_choice) as the two channels of one map.
   at::Tensor cells_and_noise(int cell_choice, int noise_choice) const;
 
  private:

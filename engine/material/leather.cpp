@@ -1,7 +1,6 @@
 #include "engine/material/leather.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/ops/full.h>
 
 #include "engine/material/heightfield.h"
 
@@ -14,8 +13,8 @@ Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, con
   const at::Tensor shift_x = p[10], shift_y = p[11];
 
   // Cells and noise share the texture coordinate, so one look-up of a two-channel map serves both.
-  const at::Tensor maps = look_up(z.cells_and_noise(discrete[0], discrete[1]).to(p.scalar_type()), scale,
-                                  shift_x, shift_y, resolution);
+  const at::Tensor maps =
+      look_up(z.cells_and_noise(discrete[0], discrete[1]), scale, shift_x, shift_y, resolution);
   const at::Tensor cells = maps[0], noise = maps[1];
 
   Surface surface;
@@ -23,8 +22,7 @@ Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, con
   surface.normal = heightfield_normals(surface.height, capture.size_cm / resolution);
   const at::Tensor roughness = (rough + (1 - cells) * rough_var).clamp(0.1, 0.8);
   surface.base_color = p.narrow(0, 1, 3).view({3, 1, 1});
-  surface.lobes = {
-      {surface.normal, at::full({3}, 0.04, p.options().requires_grad(false)), roughness, roughness}};
+  surface.lobes = {dielectric_lobe(surface.normal, roughness)};
   surface.light = p[0];
   surface.vignette_sigma = p[12];
   return surface;

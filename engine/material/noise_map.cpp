@@ -1,7 +1,6 @@
 #include "engine/material/noise_map.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/core/grad_mode.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/fft_ifft2.h>
 #include <ATen/ops/polar.h>
@@ -56,7 +55,6 @@ at::Tensor octave_amplitudes(int size) {
 }  // namespace
 
 at::Tensor make_noise_map(std::uint64_t seed, std::uint64_t stream, int size) {
-  const at::NoGradGuard no_grad;
   at::Tensor phases = at::empty({size, size}, at::kFloat);
   float* phase = phases.data_ptr<float>();
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(phases.numel()); ++i)

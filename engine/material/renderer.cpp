@@ -28,7 +28,8 @@ at::Tensor as_plane(const at::Tensor& scalar_or_plane, int n) { return scalar_or
 
 LobeMaps to_maps(const Lobe& lobe, int n) {
   // A uniform F0 is all that the models have; the maps carry it as three numbers.
-  const at::Tensor f0 = lobe.f0.reshape({3, -1}).select(1, 0).to(at::kFloat).contiguous();
+  const at::Tensor f0 =
+      lobe.f0.view({lobe.f0.size(0), -1}).select(1, 0).expand({3}).to(at::kFloat).contiguous();
   LobeMaps maps;
   maps.normal = to_image(lobe.normal, n);
   maps.roughness = to_image(at::stack({as_plane(lobe.roughness_x, n), as_plane(lobe.roughness_y, n)}), n);

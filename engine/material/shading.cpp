@@ -1,93 +1,65 @@
 #include "engine/material/shading.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/core/grad_mode.h>
-#include <ATen/ops/arange.h>
-#include <ATen/ops/ones_like.h>
-#include <ATen/ops/stack.h>
+#include <ATen/ops/addcmul.h>
+#include <ATen/ops/rsub.h>
 #include <ATen/ops/where.h>
 
-#include <cmath>
-#include <map>
-#include <mutex>
 #include <numbers>
-#include <tuple>
+
+#include "engine/material/capture_view.h"
 
 namespace patina {
 namespace {
 
 constexpr double kSmallestCosine = 1e-3;
 
-/// What depends on the capture alone.
-struct View {
-  at::Tensor direction;                ///< [3, n, n], unit, from the surface point to camera and light
-  at::Tensor inverse_square_distance;  ///< [n, n], 1/cm^2
-  at::Tensor square_radius;            ///< [n, n], cm^2 from the sample's centre
-};
-
-View make_view(const Capture& capture, int n, at::ScalarType type) {
-  const at::NoGradGuard no_grad;
-  const at::Tensor step = ((at::arange(n, at::kDouble) + 0.5) / n - 0.5) * capture.size_cm;
-  const at::Tensor x = step.view({1, n}).expand({n, n});
-  const at::Tensor y = -step.view({n, 1}).expand({n, n});
-  View view;
-  const at::Tensor square_radius = x * x + y * y;
-  const at::Tensor square_distance = square_radius + capture.camera_cm * capture.camera_cm;
-  const at::Tensor z = at::ones_like(square_radius) * capture.camera_cm;
-  view.direction = (at::stack({-x, -y, z}) / square_distance.sqrt()).to(type);
-  view.inverse_square_distance = square_distance.reciprocal().to(type);
-  view.square_radius = square_radius.to(type);
-  return view;
+at::Tensor cosine_to(const at::Tensor& normal, const CaptureView& view) {
+  return (normal * view.direction).sum(0).clamp(kSmallestCosine, 1);
 }
 
-/// Views are few and asked for at every evaluation, so they are kept.
-View view_of(const Capture& capture, int n, at::ScalarType type) {
-  static std::mutex mutex;
-  static std::map<std::tuple<double, double, int, at::ScalarType>, View> views;
-  const std::lock_guard lock(mutex);
-  const auto key = std::make_tuple(capture.size_cm, capture.camera_cm, n, type);
-  const auto found = views.find(key);
-  if (found != views.end()) return found->second;
-  return views.emplace(key, make_view(capture, n, type)).first->second;
-}
-
-/// GGX without shadowing over the half vector w: F0 D(c) / (4 c^2) times the cosine c.
-at::Tensor isotropic_lobe(const Lobe& lobe, const View& view) {
-  const at::Tensor cosine = (lobe.normal * view.direction).sum(0).clamp(kSmallestCosine, 1);
-  const at::Tensor square_cosine = cosine.square();
+/// D(c) / (4 c) with D of GGX: the lobe over its F0, times the cosine.
+at::Tensor isotropic_lobe(const Lobe& lobe, const at::Tensor& cosine) {
   const at::Tensor square_alpha = lobe.roughness_x.square().square();
-  const at::Tensor tail = (1 - square_cosine) / square_alpha + square_cosine;
-  return (square_alpha * tail.square() * cosine).mul(4 * std::numbers::pi).reciprocal();
+  const at::Tensor inverse = square_alpha.reciprocal();
+  const at::Tensor tail = cosine.square() * (1 - inverse) + inverse;
+  return (tail.square() * cosine * (square_alpha * (4 * std::numbers::pi))).reciprocal();
 }
 
 /// The same with two roughnesses: D = 1 / (pi ax ay (hx^2/ax^2 + hy^2/ay^2 + hz^2)^2), the half vector in the
 /// frame of the normal whose tangent lies in the xz plane (models.md, "metal").
-at::Tensor anisotropic_lobe(const Lobe& lobe, const View& view) {
-  const at::Tensor nx = lobe.normal[0], ny = lobe.normal[1], nz = lobe.normal[2];
-  const at::Tensor hz = (lobe.normal * view.direction).sum(0).clamp(kSmallestCosine, 1);
+at::Tensor anisotropic_lobe(const Lobe& lobe, const at::Tensor& cosine, const CaptureView& view) {
+  const at::Tensor nx = lobe.normal[0], nz = lobe.normal[2];
   const at::Tensor tangent_norm = (nx.square() + nz.square()).clamp_min(1e-8).sqrt();
   const at::Tensor hx = (nz * view.direction[0] - nx * view.direction[2]) / tangent_norm;
-  const at::Tensor square_hy = (1 - hx.square() - hz.square()).clamp_min(0);
+  const at::Tensor square_hy = (1 - hx.square() - cosine.square()).clamp_min(0);
   const at::Tensor ax = lobe.roughness_x.square(), ay = lobe.roughness_y.square();
-  const at::Tensor tail = (hx / ax).square() + square_hy / ay.square() + hz.square();
-  return (ax * ay * tail.square() * hz).mul(4 * std::numbers::pi).reciprocal();
+  const at::Tensor tail = (hx / ax).square() + square_hy / ay.square() + cosine.square();
+  return (tail.square() * cosine * (ax * ay * (4 * std::numbers::pi))).reciprocal();
 }
 
-at::Tensor as_colour(const at::Tensor& f0) { return f0.dim() == 1 ? f0.view({3, 1, 1}) : f0; }
+at::Tensor as_colour(const at::Tensor& f0) { return f0.dim() == 1 ? f0.view({-1, 1, 1}) : f0; }
 
 }  // namespace
 
 at::Tensor shade(const Surface& surface, const Capture& capture, int resolution) {
-  const View view = view_of(capture, resolution, surface.light.scalar_type());
-  const at::Tensor cosine = (surface.normal * view.direction).sum(0).clamp(kSmallestCosine, 1);
-  at::Tensor reflected = surface.base_color * (cosine / std::numbers::pi);
+  const CaptureView view = capture_view(capture, resolution, surface.light.scalar_type());
+  const at::Tensor vignette = (view.square_radius * (-0.5 / surface.vignette_sigma.square())).exp();
+  const at::Tensor irradiance = vignette * view.inverse_square_distance * surface.light;
+  const at::Tensor diffuse_cosine = cosine_to(surface.normal, view);
+
+  at::Tensor radiance;
   for (const Lobe& lobe : surface.lobes) {
+    const at::Tensor cosine =
+        lobe.normal.is_same(surface.normal) ? diffuse_cosine : cosine_to(lobe.normal, view);
     const bool isotropic = lobe.roughness_x.is_same(lobe.roughness_y);
-    reflected = reflected +
-                as_colour(lobe.f0) * (isotropic ? isotropic_lobe(lobe, view) : anisotropic_lobe(lobe, view));
+    const at::Tensor shape = isotropic ? isotropic_lobe(lobe, cosine) : anisotropic_lobe(lobe, cosine, view);
+    const at::Tensor highlight = as_colour(lobe.f0) * (shape * irradiance);
+    radiance = radiance.defined() ? radiance + highlight : highlight;
   }
-  const at::Tensor vignette = (view.square_radius / (-2 * surface.vignette_sigma.square())).exp();
-  return reflected * (surface.light * vignette * view.inverse_square_distance);
+  const at::Tensor diffuse = diffuse_cosine * irradiance;
+  const at::Tensor diffuse_albedo = surface.base_color * std::numbers::inv_pi;
+  return radiance.defined() ? at::addcmul(radiance, diffuse_albedo, diffuse) : diffuse_albedo * diffuse;
 }
 
 at::Tensor display(const at::Tensor& radiance, DisplayCurve curve) {
@@ -95,7 +67,7 @@ at::Tensor display(const at::Tensor& radiance, DisplayCurve curve) {
   constexpr double kSmallest = 1e-6;
   const at::Tensor clamped = radiance.clamp(kSmallest, 1);
   if (curve == DisplayCurve::gamma22) return clamped.pow(1 / 2.2);
-  const at::Tensor power = clamped.clamp_min(0.0031308).pow(1 / 2.4) * 1.055 - 0.055;
+  const at::Tensor power = at::rsub(clamped.pow(1 / 2.4), -0.055, -1.055);
   return at::where(clamped <= 0.0031308, clamped * 12.92, power);
 }
 
