@@ -65,7 +65,10 @@ OIIO::ImageBuf read_pixels(const fs::path& file, OIIO::ImageInput& input, const 
   OIIO::ImageSpec spec(header.width, header.height, header.nchannels, header.format);
   spec.alpha_channel = header.alpha_channel;
   OIIO::ImageBuf pixels(spec);
-  const bool whole = input.read_image(0, 0, 0, header.nchannels, header.format, pixels.localpixels());
+  // "As stored" goes straight into place; any named type costs a detour through 64 MiB of scratch.
+  const OIIO::TypeDesc as_stored;
+  const OIIO::TypeDesc type = header.channelformats.empty() ? as_stored : header.format;
+  const bool whole = input.read_image(0, 0, 0, header.nchannels, type, pixels.localpixels());
   // Some readers fill what is missing and only leave a message.
   if (const std::string message = input.geterror(); !whole || !message.empty())
     refuse_image(
