@@ -5,6 +5,10 @@
 
 namespace patina {
 
+Signature Bump::signature() {
+  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"}, {}};
+}
+
 Surface Bump::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z,
                       const Capture& capture, int resolution) const {
   const at::Tensor light = p[0], albedo = p.narrow(0, 1, 3), rough = p[4], fsigma = p[5], fscale = p[6];

@@ -8,6 +8,7 @@ namespace patina {
 /// lobe.
 class Bump final : public Material {
  public:
+  static Signature signature();
   explicit Bump(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
   Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,

@@ -27,14 +27,19 @@ enum Stream : std::uint64_t { kPhases = 1, kNoise = 100, kCells = 200 };
 // Larger grids are for export, once.
 constexpr int kLargestKept = 1024;
 
+/// Random phases at the map's corner, carried on to the centre of the first pixel: grids of all sizes then
+/// sample one surface.
 at::Tensor make_phases(std::uint64_t seed, int n) {
   at::Tensor phases = at::empty({n, n}, at::kDouble);
   auto entry = phases.accessor<double, 2>();
-  const auto frequency = [n](int k) { return static_cast<std::uint32_t>(k < (n + 1) / 2 ? k : k - n); };
+  const auto frequency = [n](int k) { return k < (n + 1) / 2 ? k : k - n; };
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
-      const std::uint64_t place = (std::uint64_t{frequency(row)} << 32) | frequency(column);
-      entry[row][column] = 2 * std::numbers::pi * uniform_hash(seed, kPhases, place);
+      const auto f = static_cast<std::uint32_t>(frequency(row)),
+                 g = static_cast<std::uint32_t>(frequency(column));
+      const double at_corner = 2 * uniform_hash(seed, kPhases, (std::uint64_t{f} << 32) | g);
+      const double to_centre = static_cast<double>(frequency(row) + frequency(column)) / n;
+      entry[row][column] = std::numbers::pi * (at_corner + to_centre);
     }
   return phases;
 }

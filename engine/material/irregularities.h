@@ -7,8 +7,9 @@
 
 namespace patina {
 
-/// exp(i phase(f)) of independent uniform phases, one per integer frequency f: [n, n/2 + 1, 2], real and
-/// imaginary parts, laid out as fft2 of a real image: rows 0 ... -1, columns 0 ... n/2.
+/// exp(i phase(f)) of independent uniform phases, one per integer frequency f, as seen from the centre of the
+/// first pixel: [n, n/2 + 1, 2], real and imaginary parts, laid out as fft2 of a real image: rows 0 ... -1,
+/// columns 0 ... n/2.
 struct Phasors {
   at::Tensor forward;   ///< at f
   at::Tensor mirrored;  ///< the conjugate of that at -f

@@ -1,10 +1,17 @@
 #include "engine/material/leather.h"
 
 #include <ATen/TensorOperators.h>
+#include <ATen/ops/hardtanh.h>
 
 #include "engine/material/heightfield.h"
 
 namespace patina {
+
+Signature Leather::signature() {
+  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "rough_var", "height", "power", "scale",
+           "noise_scale", "shift_x", "shift_y", "iSigma"},
+          {{"cells", Irregularities::kMapChoices}, {"noise", Irregularities::kMapChoices}}};
+}
 
 Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, const Irregularities& z,
                          const Capture& capture, int resolution) const {
@@ -17,10 +24,13 @@ Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, con
       look_up(z.cells_and_noise(discrete[0], discrete[1]), scale, shift_x, shift_y, resolution);
   const at::Tensor cells = maps[0], noise = maps[1];
 
+  // C^power, with a slope at the bottom of the creases that stays finite.
+  const at::Tensor raised = (cells.clamp_min(1e-4).log() * power).exp();
+
   Surface surface;
-  surface.height = (height * cells.clamp_min(1e-4).pow(power)).clamp(0, 1) + noise_scale * (2 * noise - 1);
+  surface.height = at::hardtanh(height * raised, 0, 1) + noise_scale * (2 * noise - 1);
   surface.normal = heightfield_normals(surface.height, capture.size_cm / resolution);
-  const at::Tensor roughness = (rough + (1 - cells) * rough_var).clamp(0.1, 0.8);
+  const at::Tensor roughness = at::hardtanh(rough + (1 - cells) * rough_var, 0.1, 0.8);
   surface.base_color = p.narrow(0, 1, 3).view({3, 1, 1});
   surface.lobes = {dielectric_lobe(surface.normal, roughness)};
   surface.light = p[0];

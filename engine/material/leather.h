@@ -8,6 +8,7 @@ namespace patina {
 /// follows the cells.
 class Leather final : public Material {
  public:
+  static Signature signature();
   explicit Leather(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
   Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,

@@ -3,6 +3,8 @@
 #include <ATen/core/Tensor.h>
 
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "engine/material/capture.h"
 #include "engine/material/irregularities.h"
@@ -10,6 +12,16 @@
 #include "engine/material/surface.h"
 
 namespace patina {
+
+/// What the code of a material reads, in its order; its JSON file must say the same.
+struct Signature {
+  struct Choice {
+    std::string_view name;
+    int levels;
+  };
+  std::vector<std::string_view> parameters;
+  std::vector<Choice> choices;
+};
 
 /// A procedural material: maps parameters and irregularities z to a surface. Implementations are
 /// stateless after construction and safe to call from several threads.

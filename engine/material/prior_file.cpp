@@ -17,15 +17,17 @@ class PriorFile {
  public:
   explicit PriorFile(const std::filesystem::path& file) : file_(file) {}
 
-  ParameterTable read() {
+  ParameterTable read(const Signature& signature) {
     const Json json = Json::parse(read_file(file_, 1u << 20), nullptr, false);
     if (!json.is_object()) refuse("it is not JSON");
     ParameterTable table;
     table.material = text(json, "material");
+    if (table.material != file_.stem()) refuse("it is about '" + table.material + "'");
     table.description = text(json, "description");
     for (const Json& parameter : list(json, "parameters"))
       table.continuous.push_back(read_parameter(parameter));
     for (const Json& choice : list(json, "choices")) table.discrete.push_back(read_choice(choice));
+    check(table, signature);
     return table;
   }
 
@@ -80,12 +82,34 @@ class PriorFile {
     return choice;
   }
 
+  void check(const ParameterTable& table, const Signature& signature) const {
+    if (table.continuous.size() != signature.parameters.size())
+      refuse("it has " + std::to_string(table.continuous.size()) + " parameters, not " +
+             std::to_string(signature.parameters.size()));
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+      if (table.continuous[i].name != signature.parameters[i])
+        refuse("it has '" + table.continuous[i].name + "' where '" + std::string(signature.parameters[i]) +
+               "' belongs");
+    if (table.discrete.size() != signature.choices.size())
+      refuse("it has " + std::to_string(table.discrete.size()) + " choices, not " +
+             std::to_string(signature.choices.size()));
+    for (std::size_t i = 0; i < signature.choices.size(); ++i) {
+      const auto& [name, levels] = signature.choices[i];
+      if (table.discrete[i].name != name ||
+          table.discrete[i].levels.size() > static_cast<std::size_t>(levels))
+        refuse("its choice '" + table.discrete[i].name + "' must be '" + std::string(name) +
+               "' with at most " + std::to_string(levels) + " levels");
+    }
+  }
+
   std::filesystem::path file_;
   std::set<std::string> names_;
 };
 
 }  // namespace
 
-ParameterTable read_parameter_table(const std::filesystem::path& file) { return PriorFile(file).read(); }
+ParameterTable read_parameter_table(const std::filesystem::path& file, const Signature& signature) {
+  return PriorFile(file).read(signature);
+}
 
 }  // namespace patina

@@ -1,6 +1,5 @@
 #include "engine/material/registry.h"
 
-#include <functional>
 #include <utility>
 
 #include "engine/error.h"
@@ -14,20 +13,19 @@ namespace {
 
 struct Entry {
   const char* name;
-  std::size_t parameters, choices;  ///< what the code reads; the file must have as many
-  std::function<std::shared_ptr<const Material>(ParameterTable)> make;
+  Signature (*signature)();
+  std::shared_ptr<const Material> (*make)(ParameterTable);
 };
 
 template <typename M>
-std::shared_ptr<const Material> make(ParameterTable table) {
-  return std::make_shared<M>(std::move(table));
+Entry entry(const char* name) {
+  return {name, &M::signature, [](ParameterTable table) -> std::shared_ptr<const Material> {
+            return std::make_shared<M>(std::move(table));
+          }};
 }
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{
-      {"bump", 8, 0, make<Bump>},
-      {"leather", 13, 2, make<Leather>},
-  };
+  static const std::vector<Entry> all{entry<Bump>("bump"), entry<Leather>("leather")};
   return all;
 }
 
@@ -50,12 +48,7 @@ std::vector<std::string> material_names() {
 
 ParameterTable material_table(const std::string& name) {
   const Entry& entry = find(name);
-  const auto file = data_directory() / "materials" / (name + ".json");
-  ParameterTable table = read_parameter_table(file);
-  if (table.continuous.size() != entry.parameters || table.discrete.size() != entry.choices)
-    throw UserError("The material file " + file.string() + " does not have the parameters of " + name +
-                    ": restore it.");
-  return table;
+  return read_parameter_table(data_directory() / "materials" / (name + ".json"), entry.signature());
 }
 
 std::shared_ptr<const Material> make_material(const std::string& name) {

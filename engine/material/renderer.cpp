@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstring>
 
+#include "engine/error.h"
 #include "engine/material/material.h"
 #include "engine/material/registry.h"
 #include "engine/material/shading.h"
@@ -45,6 +46,9 @@ struct Renderer::Parts {
   Capture capture;
 
   Surface surface(const ParameterValues& values, int resolution) const {
+    if (resolution < 16 || resolution > 4096)
+      throw UserError("Cannot render " + std::to_string(resolution) +
+                      " pixels a side: choose a resolution from 16 to 4096.");
     assert(values.continuous.size() == material->table().continuous.size());
     assert(values.discrete.size() == material->table().discrete.size());
     return material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture,

@@ -21,7 +21,8 @@ class Renderer {
 
   const ParameterTable& table() const;
 
-  /// The maps alone, as the preview shades them. @param resolution pixels a side, 16 to 4096
+  /// The maps alone, as the preview shades them.
+  /// @param resolution  pixels a side, 16 to 4096; UserError for any other
   MaterialMaps maps(const ParameterValues& values, int resolution) const;
 
   /// The maps under the capture light: 3 channels, display values in [0,1].

@@ -2,9 +2,11 @@
 
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/addcmul.h>
+#include <ATen/ops/hardtanh.h>
 #include <ATen/ops/rsub.h>
 #include <ATen/ops/where.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "engine/material/capture_view.h"
@@ -15,7 +17,7 @@ namespace {
 constexpr double kSmallestCosine = 1e-3;
 
 at::Tensor cosine_to(const at::Tensor& normal, const CaptureView& view) {
-  return (normal * view.direction).sum(0).clamp(kSmallestCosine, 1);
+  return at::hardtanh((normal * view.direction).sum(0), kSmallestCosine, 1);
 }
 
 /// D(c) / (4 c) with D of GGX: the lobe over its F0, times the cosine.
@@ -63,11 +65,13 @@ at::Tensor shade(const Surface& surface, const Capture& capture, int resolution)
 }
 
 at::Tensor display(const at::Tensor& radiance, DisplayCurve curve) {
-  // The power's slope is infinite at 0, so it never sees less than a value far below one 16-bit level.
+  // The power's slope is infinite at 0, so it never sees less than a value far below one 16-bit level. Powers
+  // are written exp(k log x), whose gradient costs no second power; hardtanh is a clamp with a one-pass
+  // gradient.
   constexpr double kSmallest = 1e-6;
-  const at::Tensor clamped = radiance.clamp(kSmallest, 1);
-  if (curve == DisplayCurve::gamma22) return clamped.pow(1 / 2.2);
-  const at::Tensor power = at::rsub(clamped.pow(1 / 2.4), -0.055, -1.055);
+  const at::Tensor clamped = at::hardtanh(radiance, kSmallest, 1);
+  if (curve == DisplayCurve::gamma22) return (clamped.log() / 2.2).exp();
+  const at::Tensor power = at::rsub(clamped.log(), std::log(1.055), -1 / 2.4).exp() - 0.055;
   return at::where(clamped <= 0.0031308, clamped * 12.92, power);
 }
 
