@@ -18,6 +18,13 @@ bool parse_number(std::string_view text, double& value) {
 
 }  // namespace
 
+std::string seed_problem(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc{} && end == text.data() + text.size()) return {};
+  return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+}
+
 std::pair<std::string, double> parse_assignment(const std::string& option, const std::string& text) {
   const auto equals = text.find('=');
   double value = 0;

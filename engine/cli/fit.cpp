@@ -114,8 +114,12 @@ void add_counts(CLI::App& command, RunSettings& settings) {
   command.add_option("--chains", settings.chains, "Number of chains")->capture_default_str();
   command.add_option("--warmup", settings.warmup, "Warm-up iterations of each chain")->capture_default_str();
   command.add_option("--draws", settings.draws, "Draws of each chain after warm-up")->capture_default_str();
-  command.add_option("--seed", settings.seed, "Seed of the search and the chains")->capture_default_str();
-  command.add_option("--z-seed", settings.z_seed, "Seed of the irregularities")->capture_default_str();
+  command.add_option("--seed", settings.seed, "Seed of the search and the chains")
+      ->capture_default_str()
+      ->check(seed_problem);
+  command.add_option("--z-seed", settings.z_seed, "Seed of the irregularities")
+      ->capture_default_str()
+      ->check(seed_problem);
   command
       .add_option("--resolution", settings.resolution,
                   "Pixels a side at which renders are compared with the photo")

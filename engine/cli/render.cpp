@@ -52,7 +52,9 @@ void add_render(CLI::App& app, Command& chosen) {
   command.add_option("--set", options->assignments, "One parameter's value, over those of --params")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--z-seed", options->z_seed, "Seed of the irregularities")->capture_default_str();
+  command.add_option("--z-seed", options->z_seed, "Seed of the irregularities")
+      ->capture_default_str()
+      ->check(seed_problem);
   command.add_option("--resolution", options->resolution, "Pixels a side, 16 to 4096")->capture_default_str();
   options->capture.add_to(command);
   const std::map<std::string, DisplayCurve> curves{{"srgb", DisplayCurve::srgb},

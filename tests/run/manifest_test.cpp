@@ -1,0 +1,107 @@
+#include "engine/run/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/io/temporary_folder.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class ManifestTest : public TemporaryFolder {
+ protected:
+  static Manifest full() {
+    Manifest m;
+    m.program = "patina 9.9";
+    m.settings.material = "leather";
+    m.settings.network = "/a b/net\"work.safetensors";
+    m.settings.seed = std::numeric_limits<std::uint64_t>::max();
+    m.settings.fixed = {{"light", 0.1 + 0.2}};
+    m.settings.priors = {{"rough", {0.4, 0.1, 0.2, 0.6}}};
+    m.table.material = "leather";
+    m.table.continuous = {{"light", "", "intensity", {1500, 100, 0, 2500}},
+                          {"rough", "", "", {0.4, 0.1, 0.2, 0.6}}};
+    m.table.discrete = {{"cells", "which", {"a", "b"}}};
+    m.photo_warnings = {"not a number in 12 pixels"};
+    m.gram_sigma = 0.05;
+    m.mean_sigma = 0.02;
+    m.phase = RunPhase::failed;
+    m.reason = "no memory";
+    m.map = MapPoint{{{1.0 / 3, 0.25}, {1}}, -12.345678901234567};
+    return m;
+  }
+
+  Manifest read(const std::string& text) const {
+    file("run.json", text);
+    return read_manifest(folder_);
+  }
+};
+
+TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
+  const Manifest m = full(), r = read(to_json(m));
+  EXPECT_EQ(to_json(r), to_json(m));
+  EXPECT_EQ(r.settings.network, m.settings.network);
+  EXPECT_EQ(r.settings.seed, m.settings.seed);
+  EXPECT_EQ(r.settings.fixed, m.settings.fixed);
+  EXPECT_EQ(r.settings.priors, m.settings.priors);
+  EXPECT_EQ(r.table.continuous[1].prior, m.table.continuous[1].prior);
+  EXPECT_EQ(r.phase, m.phase);
+  ASSERT_TRUE(r.map);
+  EXPECT_EQ(r.map->values, m.map->values);
+  EXPECT_EQ(r.map->lp, m.map->lp);
+}
+
+TEST_F(ManifestTest, AMapWithoutDensityIsNotAMapAtZero) {
+  Manifest m = full();
+  m.map->lp = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(read(to_json(m)).map->lp, m.map->lp);
+}
+
+/// Every path to a value below `json`, objects themselves included.
+void collect_paths(const Json& json, const Json::json_pointer& here, std::vector<Json::json_pointer>& paths) {
+  for (const auto& [key, value] : json.items()) {
+    paths.push_back(here / key);
+    if (value.is_structured()) collect_paths(value, here / key, paths);
+  }
+}
+
+TEST_F(ManifestTest, NoFieldOfAWrongKindIsBelievedOrCrashes) {
+  const Json good = Json::parse(to_json(full()));
+  std::vector<Json::json_pointer> paths;
+  collect_paths(good, Json::json_pointer(), paths);
+  ASSERT_GT(paths.size(), 50u);
+  int refused = 0;
+  for (const auto& path : paths)
+    for (const Json& wrong :
+         {Json(nullptr), Json("text"), Json(-1), Json(1e300), Json::array({1}), Json::object()}) {
+      Json bad = good;
+      bad[path] = wrong;
+      refused += !user_error([&] { read(bad.dump()); }).empty();
+    }
+  // Some replacements are good values (an empty list, another number): most are not.
+  EXPECT_GT(refused, static_cast<int>(paths.size()) * 3);
+}
+
+TEST_F(ManifestTest, EveryMissingFieldIsRefusedByName) {
+  const Json good = Json::parse(to_json(full()));
+  for (const auto& [key, value] : good.items()) {
+    Json bad = good;
+    bad.erase(key);
+    EXPECT_NE(user_error([&] { read(bad.dump()); }).find("'" + key + "' is missing"), std::string::npos);
+  }
+}
+
+TEST_F(ManifestTest, NewerFormatsAndNoJsonAreRefused) {
+  Json newer = Json::parse(to_json(full()));
+  newer["format"] = kRunFormat + 1;
+  EXPECT_NE(user_error([&] { read(newer.dump()); }).find("newer"), std::string::npos);
+  for (const char* text : {"", "{", "[]", "null", "\xFF\xD8\xFF", "{\"format\": 2"})
+    EXPECT_NE(user_error([&] { read(text); }), "") << text;
+}
+
+}  // namespace
+}  // namespace patina

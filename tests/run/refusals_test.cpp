@@ -1,0 +1,78 @@
+#include <cmath>
+#include <functional>
+
+#include "tests/run/run_fixture.h"
+
+namespace patina {
+namespace {
+
+class StartRunRefuses : public RunTest {
+ protected:
+  /// The sentence with which start_run() refuses changed settings; nothing may be left on disk.
+  std::string refusal(const std::function<void(RunSettings&)>& change) const {
+    RunSettings changed = settings();
+    change(changed);
+    const std::string sentence = user_error([&] { start(changed); });
+    EXPECT_FALSE(std::filesystem::exists(directory())) << sentence;
+    return sentence;
+  }
+};
+
+TEST_F(StartRunRefuses, UnknownNames) {
+  EXPECT_NE(refusal([](auto& s) { s.material = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.summary = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.kernel = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.fixed["nosuch"] = 1; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.priors["nosuch"] = {}; }).find("nosuch"), std::string::npos);
+}
+
+TEST_F(StartRunRefuses, ImpossibleNumbers) {
+  EXPECT_NE(refusal([](auto& s) { s.chains = 0; }).find("chains"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.chains = 100000; }).find("chains"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.warmup = -1; }).find("warm-up"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.draws = 0; }).find("draws"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.resolution = 8; }).find("resolution"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.alpha = 0; }).find("alpha"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.capture.size_cm = 0; }).find("size"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.capture.camera_cm = NAN; }).find("camera"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.fixed["rough"] = 7; }).find("rough"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) {
+              s.priors["rough"] = {0.4, 0.1, 0.6, 0.2};
+            }).find("low"),
+            std::string::npos);
+}
+
+TEST_F(StartRunRefuses, ANetworkThatIsNone) {
+  const auto jpeg = file("network.safetensors", "\xFF\xD8\xFF not a network");
+  EXPECT_NE(refusal([&](auto& s) { s.summary = "gram", s.network = jpeg; }), "");
+}
+
+TEST_F(StartRunRefuses, ToInferNothing) {
+  const Renderer renderer("bump", 1, Capture{});
+  EXPECT_NE(refusal([&](auto& s) {
+              for (const Parameter& parameter : renderer.table().continuous)
+                s.fixed[parameter.name] = parameter.prior.mean;
+            }).find("fixed"),
+            std::string::npos);
+}
+
+TEST_F(StartRunRefuses, ADirectoryThatHoldsARun) {
+  draws_to_the_end(*start(settings()));
+  const std::string before = slurp(directory() / "chain-1.csv");
+  EXPECT_NE(user_error([&] { start(settings()); }).find("holds a run already"), std::string::npos);
+  EXPECT_EQ(slurp(directory() / "chain-1.csv"), before);
+}
+
+TEST_F(StartRunRefuses, ADirectoryThatCannotBeMade) {
+  file("run", "a file is in the way");
+  EXPECT_NE(user_error([&] { start(settings()); }).find("folder"), std::string::npos);
+  EXPECT_NE(user_error([&] { start_run(settings(), photo(), "/proc/nosuch/run"); }), "");
+}
+
+TEST_F(StartRunRefuses, NothingAboutAnEmptyDirectory) {
+  std::filesystem::create_directories(directory());
+  EXPECT_EQ(user_error([&] { start(settings()); }), "");
+}
+
+}  // namespace
+}  // namespace patina

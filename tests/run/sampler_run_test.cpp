@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "tests/run/run_fixture.h"
+
+namespace patina {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A chain file without its clock.
+std::string without_times(const std::filesystem::path& file) {
+  const std::string text = slurp(file);
+  return text.substr(0, text.find("#  Elapsed Time"));
+}
+
+class SamplerRunTest : public RunTest {};
+
+TEST_F(SamplerRunTest, EveryTransitionIsARowAndADrawAndIsCounted) {
+  const auto run = start(settings());
+  const std::vector<Draw> draws = draws_to_the_end(*run);
+  const RunStatus status = run->status();
+  EXPECT_EQ(status.phase, RunPhase::finished) << status.message;
+  EXPECT_EQ(status.message, "finished: 60 draws");
+  ASSERT_EQ(draws.size(), 2u * (40 + 30));
+  std::vector<std::int64_t> next(2);
+  for (const Draw& draw : draws) {
+    EXPECT_EQ(draw.iteration, next[static_cast<std::size_t>(draw.chain)]++);
+    EXPECT_EQ(draw.warmup, draw.iteration < 40);
+    EXPECT_TRUE(std::isfinite(draw.lp));
+    EXPECT_EQ(draw.values.continuous.size(), run->table().continuous.size());
+  }
+  for (const ChainStatus& chain : status.chains) EXPECT_EQ(chain.iteration, 70);
+  for (const char* name : {"chain-1.csv", "chain-2.csv"}) EXPECT_EQ(rows_of(directory() / name).size(), 70u);
+}
+
+TEST_F(SamplerRunTest, AllDrawsStayInsideThePriorsBoxAndTheBestIsNotWorseThanAnyDraw) {
+  RunSettings with_prior = settings();
+  with_prior.priors["rough"] = {0.4, 0.1, 0.35, 0.45};
+  with_prior.fixed["light"] = 1234;
+  const auto run = start(with_prior);
+  double highest = -INFINITY;
+  const std::size_t rough = *run->table().find_continuous("rough");
+  const std::size_t light = *run->table().find_continuous("light");
+  EXPECT_EQ(run->table().continuous[rough].prior, with_prior.priors["rough"]);
+  for (const Draw& draw : draws_to_the_end(*run)) {
+    for (std::size_t i = 0; i < draw.values.continuous.size(); ++i) {
+      EXPECT_GE(draw.values.continuous[i], run->table().continuous[i].prior.low);
+      EXPECT_LE(draw.values.continuous[i], run->table().continuous[i].prior.high);
+    }
+    EXPECT_EQ(draw.values.continuous[light], 1234);
+    highest = std::max(highest, draw.lp);
+  }
+  ASSERT_TRUE(run->status().best);
+  EXPECT_EQ(run->status().best->continuous[light], 1234);
+  EXPECT_GE(run->status().best_lp, highest - 1e-3);
+}
+
+TEST_F(SamplerRunTest, TheSameSeedWritesTheSameFilesAndAnotherSeedOthers) {
+  const auto file_of = [&](const char* name, std::uint64_t seed) {
+    RunSettings seeded = settings();
+    seeded.seed = seed;
+    const auto run = start_run(seeded, photo(), folder_ / name);
+    draws_to_the_end(*run);
+    return without_times(folder_ / name / "chain-2.csv");
+  };
+  const std::string first = file_of("a", 11);
+  EXPECT_EQ(file_of("b", 11), first);
+  EXPECT_NE(file_of("c", 12), first);
+}
+
+TEST_F(SamplerRunTest, ChainsOfOneRunDiffer) {
+  draws_to_the_end(*start(settings()));
+  EXPECT_NE(rows_of(directory() / "chain-1.csv"), rows_of(directory() / "chain-2.csv"));
+}
+
+TEST_F(SamplerRunTest, DiscreteParametersMove) {
+  RunSettings leather = settings();
+  leather.material = "leather";
+  leather.alpha = 0.5;
+  const auto run = start(leather);
+  std::vector<int> seen;
+  for (const Draw& draw : draws_to_the_end(*run)) {
+    ASSERT_EQ(draw.values.discrete.size(), 2u);
+    seen.push_back(draw.values.discrete[0] + 3 * draw.values.discrete[1]);
+  }
+  std::ranges::sort(seen);
+  EXPECT_GT(std::ranges::unique(seen).begin() - seen.begin(), 1);
+}
+
+TEST_F(SamplerRunTest, MapOnlyFindsAMatchAndDrawsNothing) {
+  RunSettings map_only = settings();
+  map_only.map_only = true;
+  const auto run = start(map_only);
+  EXPECT_TRUE(draws_to_the_end(*run).empty());
+  EXPECT_EQ(run->status().phase, RunPhase::finished);
+  EXPECT_TRUE(run->status().best);
+  EXPECT_FALSE(std::filesystem::exists(directory() / "chain-1.csv"));
+}
+
+TEST_F(SamplerRunTest, ABestPointIsShownWhileTheSearchGoesOn) {
+  const auto run = start(settings());
+  bool early = false;
+  EXPECT_TRUE(comes_true([&] {
+    const RunStatus status = run->status();
+    early |= status.phase == RunPhase::searching && status.best && status.search_fraction < 1;
+    return early || status.phase > RunPhase::searching;
+  }));
+  EXPECT_TRUE(early);
+}
+
+TEST_F(SamplerRunTest, PauseHoldsTheDrawsAndResumeGoesOn) {
+  const auto run = start(endless());
+  ASSERT_TRUE(comes_true([&] { return run->status().phase == RunPhase::sampling; }));
+  run->pause();
+  EXPECT_EQ(run->status().phase, RunPhase::paused);
+  std::this_thread::sleep_for(200ms);  // evaluations in flight end
+  run->take_draws();
+  std::this_thread::sleep_for(200ms);
+  EXPECT_TRUE(run->take_draws().empty());
+  EXPECT_EQ(run->status().draws_per_second, 0);
+  run->resume();
+  EXPECT_TRUE(comes_true([&] { return !run->take_draws().empty(); }));
+  EXPECT_EQ(run->status().phase, RunPhase::sampling);
+}
+
+TEST_F(SamplerRunTest, PauseAndResumeChangeNoDraw) {
+  draws_to_the_end(*start_run(settings(), photo(), folder_ / "a"));
+  const auto run = start_run(settings(), photo(), folder_ / "b");
+  while (!has_ended(*run)) {
+    run->pause();
+    std::this_thread::sleep_for(3ms);
+    run->resume();
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_EQ(without_times(folder_ / "b" / "chain-1.csv"), without_times(folder_ / "a" / "chain-1.csv"));
+}
+
+TEST_F(SamplerRunTest, StopEndsTheRunWithinAMomentAndKeepsWhatWasDrawn) {
+  const auto run = start(endless());
+  ASSERT_TRUE(comes_true([&] { return run->status().phase == RunPhase::sampling; }));
+  run->stop();
+  const auto asked = std::chrono::steady_clock::now();
+  const std::vector<Draw> draws = draws_to_the_end(*run);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, 5s);
+  EXPECT_EQ(run->status().phase, RunPhase::stopped);
+  std::size_t rows = 0;
+  for (const char* name : {"chain-1.csv", "chain-2.csv"}) rows += rows_of(directory() / name).size();
+  EXPECT_EQ(rows, draws.size());
+}
+
+TEST_F(SamplerRunTest, StopEndsASearchAndAPausedRun) {
+  for (const bool paused : {false, true}) {
+    const auto run = start_run(endless(), photo(), folder_ / (paused ? "paused" : "searching"));
+    ASSERT_TRUE(comes_true([&] { return run->status().phase == RunPhase::searching; }));
+    if (paused) run->pause();
+    run->stop();
+    draws_to_the_end(*run);
+    EXPECT_EQ(run->status().phase, RunPhase::stopped);
+    EXPECT_EQ(run->status().message, "stopped: no match was found yet");
+  }
+}
+
+TEST_F(SamplerRunTest, MayBeDestroyedAtAnyMoment) {
+  for (const auto wait : {0ms, 30ms, 300ms, 1000ms}) {
+    const auto run = start_run(endless(), photo(), folder_ / std::to_string(wait.count()));
+    std::this_thread::sleep_for(wait);
+  }
+}
+
+TEST_F(SamplerRunTest, WakesTheFrontEndForDrawsAndForTheEnd) {
+  std::atomic<DrawSource*> shown{nullptr};
+  std::atomic<bool> saw_draws{false}, saw_end{false};
+  const auto run = start_run(settings(), photo(), directory(), [&] {
+    const DrawSource* source = shown;
+    if (source == nullptr) return;
+    saw_draws = saw_draws || transitions(source->status()) > 0;
+    saw_end = saw_end || has_ended(*source);
+  });
+  shown = run.get();
+  EXPECT_TRUE(comes_true([&] { return saw_draws && saw_end; }));
+}
+
+TEST_F(SamplerRunTest, APhotoThatNothingCanBeComparedWithFailsTheRunWithAReason) {
+  Photo photo = RunTest::photo();
+  for (float& value : photo.image.pixels) value = NAN;
+  const auto run = start_run(settings(), photo, directory());
+  draws_to_the_end(*run);
+  EXPECT_EQ(run->status().phase, RunPhase::failed);
+  EXPECT_NE(run->status().message.find("comparable"), std::string::npos) << run->status().message;
+}
+
+}  // namespace
+}  // namespace patina
