@@ -22,14 +22,15 @@ Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, con
   // Cells and noise share the texture coordinate, so one look-up of a two-channel map serves both.
   const at::Tensor maps =
       look_up(z.cells_and_noise(discrete[0], discrete[1]), scale, shift_x, shift_y, resolution);
-  const at::Tensor cells = maps[0], noise = maps[1];
+  const at::Tensor cells = without_neighbours(maps[0]);
 
   // C^power, with a slope at the bottom of the creases that stays finite.
-  const at::Tensor raised = (cells.clamp_min(1e-4).log() * power).exp();
+  const at::Tensor raised = (maps[0].clamp_min(1e-4).log() * power).exp();
 
   Surface surface;
-  surface.height = at::hardtanh(height * raised, 0, 1) + noise_scale * (2 * noise - 1);
-  surface.normal = heightfield_normals(surface.height, capture.size_cm / resolution);
+  const at::Tensor heights = at::hardtanh(height * raised, 0, 1) + noise_scale * (2 * maps[1] - 1);
+  surface.height = without_neighbours(heights);
+  surface.normal = open_normals(heights, capture.size_cm / resolution);
   const at::Tensor roughness = at::hardtanh(rough + (1 - cells) * rough_var, 0.1, 0.8);
   surface.base_color = p.narrow(0, 1, 3).view({3, 1, 1});
   surface.lobes = {dielectric_lobe(surface.normal, roughness)};
