@@ -50,6 +50,9 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   if (!size.empty()) read_size(size, arguments);
   if (!(arguments.seconds >= 0 && arguments.seconds <= 86400))
     throw UserError("--seconds must lie between 0 and 86400.");
+  if (!offscreen.empty() && !offscreen.ends_with(".png")) {
+    throw UserError("--offscreen " + offscreen + " is no picture: name a file that ends in .png.");
+  }
   arguments.input = input;
   arguments.offscreen = offscreen;
   return arguments;

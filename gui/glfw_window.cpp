@@ -44,6 +44,36 @@ struct ImguiGlfw {
   ImguiGlfw& operator=(const ImguiGlfw&) = delete;
 };
 
+/// Dear ImGui 1.86 sees which keys are down as a frame begins; one that went down and up again since the
+/// frame before would be lost. Such keys are held down for one frame.
+class QuickTaps {
+ public:
+  void went_down(int key) { keys_.push_back(key); }
+
+  /// Between the events and ImGui's frame.
+  void hold() {
+    for (const int key : keys_) ImGui::GetIO().KeysDown[key] = true;
+    set_modifiers();
+  }
+
+  /// Before the next frame's events.
+  void let_go(GLFWwindow* window) {
+    for (const int key : keys_) ImGui::GetIO().KeysDown[key] = glfwGetKey(window, key) == GLFW_PRESS;
+    keys_.clear();
+    set_modifiers();
+  }
+
+ private:
+  static void set_modifiers() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+    io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+  }
+
+  std::vector<int> keys_;
+};
+
 using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
 
 WindowHandle open(const std::string& title, int width, int height) {
@@ -88,6 +118,7 @@ class GlfwWindow final : public Window {
 
   void begin_frame(double timeout_seconds) override {
     if (ImGui::GetIO().WantTextInput) timeout_seconds = std::min(timeout_seconds, kBlinkSeconds);
+    taps_.let_go(window_.get());
     if (settling_ > 0 || timeout_seconds <= 0) {
       settling_ = std::max(settling_ - 1, 0);
       glfwPollEvents();
@@ -96,6 +127,7 @@ class GlfwWindow final : public Window {
     }
     if (woken_.exchange(false)) settling_ = kSettlingFrames;
     ImGui_ImplGlfw_NewFrame();
+    taps_.hold();
     renderer_->prepare();
     ImGui::NewFrame();
   }
@@ -129,7 +161,10 @@ class GlfwWindow final : public Window {
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stir(w); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stir(w); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stir(w); });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { stir(w); });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+      if (action == GLFW_PRESS && key >= 0) of(w).taps_.went_down(key);
+      stir(w);
+    });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stir(w); });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { stir(w); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { stir(w); });
@@ -147,6 +182,7 @@ class GlfwWindow final : public Window {
   std::optional<ImguiGlfw> glue_;
   std::optional<ImguiRenderer> renderer_;
   std::vector<std::filesystem::path> dropped_;
+  QuickTaps taps_;
   int settling_ = kSettlingFrames;
   std::atomic<bool> woken_ = false;
 };

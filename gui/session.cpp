@@ -9,6 +9,11 @@
 #include "gui/words.h"
 
 namespace patina {
+namespace {
+
+constexpr const char* kRunPhoto = "photo.png";  // a run directory's own copy
+
+}  // namespace
 
 Session::Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake)
     : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {
@@ -24,6 +29,11 @@ void Session::open(const std::filesystem::path& path) {
   } else {
     open_photo(path);
   }
+}
+
+std::string Session::photo_name() const {
+  const bool of_run = photo_file_.filename() == kRunPhoto;
+  return (of_run ? photo_file_.parent_path().filename() : photo_file_.stem()).string();
 }
 
 void Session::open_photo(const std::filesystem::path& file) {
@@ -44,7 +54,7 @@ void Session::open_run_directory(const std::filesystem::path& directory) {
 
   adopt(std::move(source));
   photo_ = std::move(photo);
-  photo_file_ = directory / "photo.png";
+  photo_file_ = std::filesystem::absolute(directory / kRunPhoto).lexically_normal();
   ++photo_version_;
   settings_ = source_->settings();
   next_table_ = std::move(next_table);
@@ -67,9 +77,8 @@ void Session::start() {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
-  const std::string name =
-      photo_file_.filename() == "photo.png" ? photo_file_.parent_path().filename().string() : photo_name();
-  adopt(factory_.start(settings_, *photo_, fresh_run_directory(runs_, name, settings_.material), wake_));
+  adopt(factory_.start(settings_, *photo_, fresh_run_directory(runs_, photo_name(), settings_.material),
+                       wake_));
 }
 
 void Session::let_run_go() {

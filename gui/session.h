@@ -30,8 +30,8 @@ class Session {
 
   bool has_photo() const { return photo_.has_value(); }
   const Photo& photo() const { return *photo_; }
-  std::string photo_name() const { return photo_file_.stem().string(); }  ///< without folder and extension
-  int photo_version() const { return photo_version_; }                    ///< grows with every photo
+  std::string photo_name() const;  ///< the file's name without extension; of a run its directory's
+  int photo_version() const { return photo_version_; }  ///< grows with every photo
 
   /// Settings of the next run.
   const RunSettings& settings() const { return settings_; }

@@ -1,7 +1,10 @@
 #include "gui/panels/chains_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "gui/theme.h"
 #include "gui/words.h"
@@ -57,7 +60,9 @@ std::string agreement(const RunSummary& summary) {
     if (std::isfinite(quantity.bulk_ess)) ess = std::min(ess, quantity.bulk_ess);
   }
   if (rhat == 0 || !std::isfinite(ess)) return {};
-  return "R-hat up to " + number_text(rhat, 3) + ", ESS at least " + number_text(std::floor(ess), 3);
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "R-hat up to %.2f, ESS at least %.0f", rhat, std::floor(ess));
+  return text.data();
 }
 
 /// The line below the bar: why a run stopped, else how far the chains agree, else what the run says of

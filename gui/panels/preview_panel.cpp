@@ -34,11 +34,9 @@ void PreviewPanel::draw(const PanelContext& context, const Rect& rect, const Sho
   const ImVec2 end{square.position.x + square.size.x, square.position.y + square.size.y};
   ImGui::GetWindowDrawList()->AddImage(renderer_.texture().imgui_id(), square.position, end);
   if (photo == nullptr) return;
-  if (ImGui::IsItemActive()) {
-    draw_wipe(square, *photo);
-  } else {
-    tooltip("Press and drag to wipe between photo and render");
-  }
+  // The cursor is the hint: a tooltip would lie on the render that is being judged.
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive()) draw_wipe(square, *photo);
 }
 
 void PreviewPanel::draw_wipe(const Rect& square, const Texture& photo) const {

@@ -127,7 +127,8 @@ void ScatterPanel::place_plot() {
 void ScatterPanel::follow_draws(const Session& session) {
   const ExplorerModel& model = session.model();
   const PlotRange x = model.default_range(model.x_axis()), y = model.default_range(model.y_axis());
-  const Contents contents{session.run_version(), model.x_axis(), model.y_axis(), model.hides_warmup()};
+  const Contents contents{session.run_version(), model.x_axis(), model.y_axis(), model.hides_warmup(),
+                          model.draws().sampling_count() > 0};
   if (contents != contents_) {
     const bool same_plane =
         contents.run == contents_.run && contents.x == contents_.x && contents.y == contents_.y;
@@ -153,7 +154,8 @@ void ScatterPanel::send_points(const ExplorerModel& model) {
   for (; sent_ < draws.size(); ++sent_) {
     const double x = draws.place(model.x_axis(), sent_), y = draws.place(model.y_axis(), sent_);
     if (!std::isfinite(x) || !std::isfinite(y) || !model.visible(sent_)) continue;
-    points.push_back({x, y, with_alpha(theme::chain_color(draws.chain(sent_)), 200), draws.warmup(sent_)});
+    const bool dimmed = contents_.dims_warmup && draws.warmup(sent_);
+    points.push_back({x, y, with_alpha(theme::chain_color(draws.chain(sent_)), 200), dimmed});
   }
   points_.append(points);
   const float density = ImGui::GetIO().DisplayFramebufferScale.x;

@@ -24,6 +24,7 @@ class ScatterPanel {
     int run = -1;
     PlotAxis x, y;
     bool hides_warmup = false;
+    bool dims_warmup = false;  ///< not while there is nothing else to see
     bool operator==(const Contents&) const = default;
   };
 

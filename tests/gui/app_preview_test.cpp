@@ -45,8 +45,9 @@ TEST_F(AppPreview, ShowsTheBestDrawUntilOneIsSelectedAndAgainAfterEscape) {
 }
 
 TEST_F(AppPreview, DraggingWipesThePhotoOverTheRender) {
-  start_run_of({draw(0.25, 0.9, -1)});
-  ASSERT_TRUE(frames_until([&] { return app_.preview().has_render(); }));
+  const Draw only = draw(0.25, 0.9, -1);
+  start_run_of({only});
+  ASSERT_TRUE(frames_until([&] { return shows(only.values); }));
   frames(2);
   const Rect panel = lay_out(ImGui::GetIO().DisplaySize, {}, ImGui::GetFontSize()).preview;
   const float x = panel.position.x + 0.5f * panel.size.x, y = panel.position.y + 0.6f * panel.size.y;

@@ -106,6 +106,7 @@ TEST_F(SessionTest, OpensARunDirectoryWithItsPhoto) {
   session_.open(folder_.path());
   EXPECT_TRUE(session_.has_run());
   EXPECT_EQ(session_.photo().image.width, 40);
+  EXPECT_EQ(session_.photo_name(), folder_.path().filename());
 }
 
 TEST_F(SessionTest, ResizingTheSampleKeepsTheFieldOfView) {
