@@ -51,6 +51,7 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   if (!std::isfinite(best.evaluation.log_density))
     throw UserError("No parameters render to anything comparable with the photo: check the priors.");
   report(shared, posterior, 1, best.position, best.evaluation.log_density);
+  shared.edit_status([](RunStatus& status) { status.message = "measuring how far good matches spread"; });
   const LogDensity& target = *targets.back();
   return {{best.position, best.evaluation},
           std::make_shared<const Metric>(laplace_covariance(target, best.position))};

@@ -198,7 +198,9 @@ void SamplerRun::conclude(RunPhase phase, const std::string& reason) {
 
 std::string SamplerRun::outcome() const {
   if (draws_made_ > 0) return std::to_string(draws_made_) + " draws";
-  return manifest_.map ? "the best match is known, there are no draws" : "no match was found yet";
+  if (!manifest_.map) return "no match was found yet";
+  return settings_.map_only ? "the best match was found"
+                            : "the best match was found, but there are no draws after warm-up";
 }
 
 }  // namespace patina
