@@ -36,6 +36,7 @@ class App {
   void frame(double longest_wait = 3600);
 
   Session& session() { return session_; }
+  const Session& session() const { return session_; }
   const ErrorBanner& banner() const { return banner_; }
   const ScatterPanel& scatter() const { return scatter_; }
   const PreviewPanel& preview() const { return preview_; }

@@ -88,7 +88,7 @@ class AppTest : public ::testing::Test {
 
   /// Where a draw is on the screen.
   ImVec2 pixel_of(std::size_t index) const {
-    const ExplorerModel& model = const_cast<App&>(app_).session().model();
+    const ExplorerModel& model = app_.session().model();
     const PlotView& view = app_.scatter().view();
     return {view.pixel_of_x(model.draws().place(model.x_axis(), index)),
             view.pixel_of_y(model.draws().place(model.y_axis(), index))};
