@@ -39,6 +39,9 @@ void check_header(const fs::path& file, const OIIO::ImageSpec& spec, int min_sid
                           spec.tile_bytes(true) <= kMaxDecodedBytes;
   if (spec.depth > 1 || spec.deep || spec.nchannels < 1 || spec.nchannels > 64 || !sane_tiles)
     refuse_image(file, "is not a flat image: save it as PNG or JPEG.");
+  // OpenImageIO 2.4 inverts more bytes than such a TIFF has: it writes beyond its buffer.
+  if (spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0)
+    refuse_image(file, "is a TIFF with white stored as zero, which cannot be read: save it as PNG.");
 }
 
 void check_compression(const fs::path& file, const OIIO::ImageSpec& spec, std::size_t file_bytes) {
@@ -88,6 +91,9 @@ DecodedImage decode_image(const fs::path& file, std::string_view bytes, int min_
     refuse_image(file, "is a camera's raw file: develop it to a 16-bit TIFF or a JPEG first.");
   DecodedImage image;
   image.format = image_format(bytes);
+  // OpenImageIO 2.4 reads beyond its buffer where a damaged file's sizes contradict each other.
+  if (image.format == "heif")
+    refuse_image(file, "is HEIC or AVIF, which cannot be read yet: save it as JPEG or PNG.");
   if (image.format.empty())
     refuse_image(file, "is not an image that can be read: save it as JPEG, PNG, TIFF or EXR.");
   if (!image_is_complete(bytes)) refuse_image(file, "is incomplete, its end is missing: copy it again.");

@@ -89,8 +89,6 @@ Image display_square(const DecodedImage& decoded, std::vector<std::string>& warn
 
 /// The EXIF orientation (1 to 8) to undo.
 int orientation_of(const DecodedImage& decoded) {
-  // libheif has turned the pixels already; the EXIF entry of such a file only repeats it (ISO 23008-12).
-  if (decoded.format == "heif") return 1;
   const int orientation = decoded.header.get_int_attribute("Orientation", 1);
   return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }

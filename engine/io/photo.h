@@ -22,7 +22,7 @@ constexpr int kMinPhotoSide = 32;  ///< pixels
 constexpr int kMaxPhotoSide = 16384;
 constexpr int kWorkingPhotoSide = 1024;  ///< larger squares are reduced to this
 
-/// Reads JPEG, PNG, TIFF, EXR, WebP, HEIC, JPEG 2000, Radiance HDR, BMP and PPM by their contents: grey,
+/// Reads JPEG, PNG, TIFF, EXR, WebP, JPEG 2000, Radiance HDR, BMP and PPM by their contents: grey,
 /// alpha, 16-bit, CMYK and linear ones included. EXR and other floats are taken as linear and clipped at
 /// white.
 /// @throws UserError with one sentence for anything that is not a usable photo

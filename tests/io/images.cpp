@@ -135,6 +135,19 @@ std::string png_header(std::uint32_t width, std::uint32_t height) {
          png_chunk("IDAT", "") + png_chunk("IEND", "");
 }
 
+std::string with_png_checksums(std::string bytes) {
+  if (!bytes.starts_with("\x89PNG")) return bytes;
+  for (std::size_t position = 8; position + 12 <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      length = length << 8 | static_cast<unsigned char>(bytes[position + i]);
+    if (position + 12 + length > bytes.size()) break;
+    bytes.replace(position + 8 + length, 4, big_endian(crc32(bytes.substr(position + 4, 4 + length))));
+    position += 12 + length;
+  }
+  return bytes;
+}
+
 std::string flat_jpeg(int width, int height, const std::vector<int>& components) {
   const auto count = static_cast<char>(components.size());
   std::string frame{'\x08',

@@ -34,6 +34,10 @@ Image crop(const Image& image, int left, int top, int side);
 /// A minimal PNG header (signature, IHDR, and an IDAT that holds no pixels): 8-bit RGB of any claimed size.
 std::string png_header(std::uint32_t width, std::uint32_t height);
 
+/// The PNG with each chunk's checksum set right, as far as its chunks can be followed; other bytes as they
+/// are. Without it a changed PNG is refused before anything in it is looked at.
+std::string with_png_checksums(std::string bytes);
+
 /// A whole baseline JPEG of one colour, written by hand because encoders offer no CMYK: every block has a DC
 /// value only. @param components  samples 0 to 255 as stored, 1, 3 or 4 of them (4: Adobe CMYK, inverted)
 std::string flat_jpeg(int width, int height, const std::vector<int>& components);

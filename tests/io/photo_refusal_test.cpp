@@ -54,6 +54,24 @@ TEST_F(PhotoRefusal, ReadersOfOtherThingsAreNeverAsked) {
             std::string::npos);
 }
 
+TEST_F(PhotoRefusal, HeicWithTheWayOut) {
+  const std::string bytes(
+      "\0\0\0\x18"
+      "ftypheic\0\0\0\0mif1heic",
+      24);
+  EXPECT_NE(refusal(file("IMG_0001.HEIC", bytes)).find("save it as JPEG"), std::string::npos);
+}
+
+TEST_F(PhotoRefusal, ATiffThatItsReaderWouldOverrun) {
+  write_test_image(folder_ / "a.tif", ramps(40, 40, 1), {OIIO::TypeDesc::UINT16});
+  std::string bytes = slurp(folder_ / "a.tif");
+  const std::string black_is_zero("\x06\x01\x03\0\x01\0\0\0\x01", 9);  // the tag PhotometricInterpretation
+  const auto tag = bytes.find(black_is_zero);
+  ASSERT_NE(tag, std::string::npos);
+  bytes[tag + 8] = '\0';
+  EXPECT_NE(refusal(file("white.tif", bytes)).find("white stored as zero"), std::string::npos);
+}
+
 TEST_F(PhotoRefusal, ACamerasRawFileInsteadOfItsSmallPreview) {
   write_test_image(folder_ / "preview.tif", ramps(256, 170, 3));
   std::filesystem::rename(folder_ / "preview.tif", folder_ / "photo.DNG");
@@ -85,7 +103,8 @@ TEST_F(PhotoRefusal, TooLargeASideFromTheHeaderAlone) {
 TEST_F(PhotoRefusal, MorePixelsThanSoFewBytesCanHold) {
   EXPECT_NE(refusal(file("bomb.png", png_header(10000, 10000))).find("too few for 10000 x 10000"),
             std::string::npos);
-  write_test_image(folder_ / "flat.png", Image(5000, 5000, 3));  // as well compressed as PNG can
+  // As well compressed as PNG can.
+  write_test_image(folder_ / "flat.png", Image(3000, 3000, 4), {OIIO::TypeDesc::UINT16});
   EXPECT_EQ(refusal(folder_ / "flat.png"), "");
 }
 
