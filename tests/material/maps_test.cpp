@@ -46,8 +46,11 @@ TEST(NoiseMap, HasTheStatisticsOfThePapersNoise) {
     EXPECT_NEAR(map.std().item<double>(), 0.161, 0.02);
     expect_quantiles(map, {0.13, 0.25, 0.35, 0.47, 0.65});
     const std::array<double, 9> octaves{.17, .23, .13, .11, .11, .10, .09, .05, .01};
-    for (std::size_t i = 0; i < octaves.size(); ++i)
-      EXPECT_NEAR(band_share(map, std::exp2(i), std::exp2(i + 1)), octaves[i], 0.025) << "octave " << i;
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
+      // The first octaves are a dozen waves, whose interference is left to chance.
+      const double tolerance = i < 3 ? 0.05 : 0.02;
+      EXPECT_NEAR(band_share(map, std::exp2(i), std::exp2(i + 1)), octaves[i], tolerance) << "octave " << i;
+    }
   }
 }
 
@@ -120,7 +123,7 @@ class LookUp : public testing::Test {
  protected:
   at::Tensor at_scale(double scale, double shift_x, double shift_y, int resolution) const {
     const auto scalar = [](double x) { return at::tensor(x, at::kDouble); };
-    return look_up(map, scalar(scale), scalar(shift_x), scalar(shift_y), resolution)[0];
+    return without_neighbours(look_up(map, scalar(scale), scalar(shift_x), scalar(shift_y), resolution)[0]);
   }
   at::Tensor map = shared_irregularities().cells(0);
 };
@@ -139,6 +142,15 @@ TEST_F(LookUp, PositiveShiftMovesTheWindowRightAndDown) {
   const at::Tensor moved = at_scale(1, 3 * texel, 5 * texel, kSize);
   const at::Tensor expected = inside(map).roll({-5, -3}, {0, 1});
   EXPECT_LT((moved - expected).abs().max().item<double>(), 1e-6);
+}
+
+TEST_F(LookUp, BringsTheNeighboursAboveAndToTheRight) {
+  const auto scalar = [](double x) { return at::tensor(x, at::kDouble); };
+  const double pixel = 2.0 / 200;
+  const at::Tensor extended = look_up(map, scalar(0.7), scalar(0.1), scalar(0.2), 200)[0];
+  const at::Tensor above = at_scale(0.7, 0.1, 0.2 - pixel, 200), right = at_scale(0.7, 0.1 + pixel, 0.2, 200);
+  EXPECT_LT((extended.narrow(0, 0, 200).narrow(1, 0, 200) - above).abs().max().item<double>(), 1e-9);
+  EXPECT_LT((extended.narrow(0, 1, 200).narrow(1, 1, 200) - right).abs().max().item<double>(), 1e-9);
 }
 
 TEST_F(LookUp, RepeatsAfterAWholeMap) {

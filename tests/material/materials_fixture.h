@@ -33,8 +33,9 @@ inline std::vector<double> inside_box(const ParameterTable& table, std::mt19937&
 }
 
 /// The whole forward model: [3, n, n] in [0,1], in the type of `parameters`.
-inline at::Tensor render(const Material& material, const at::Tensor& parameters, const std::vector<int>& discrete,
-                         int resolution, DisplayCurve curve = DisplayCurve::srgb,
+inline at::Tensor render(const Material& material, const at::Tensor& parameters,
+                         const std::vector<int>& discrete, int resolution,
+                         DisplayCurve curve = DisplayCurve::srgb,
                          const Irregularities& z = shared_irregularities()) {
   const Capture capture;
   return display(shade(material.surface(parameters, discrete, z, capture, resolution), capture, resolution),
