@@ -68,6 +68,7 @@ OIIO::ImageBuf read_pixels(const fs::path& file, OIIO::ImageInput& input, const 
   OIIO::ImageSpec spec(header.width, header.height, header.nchannels, header.format);
   spec.alpha_channel = header.alpha_channel;
   OIIO::ImageBuf pixels(spec);
+  if (!pixels.localpixels()) throw std::bad_alloc();
   // "As stored" goes straight into place; any named type costs a detour through 64 MiB of scratch.
   const OIIO::TypeDesc as_stored;
   const OIIO::TypeDesc type = header.channelformats.empty() ? as_stored : header.format;
@@ -115,6 +116,7 @@ DecodedImage decode_image(const fs::path& file, std::string_view bytes, int min_
 }
 
 Image to_image(const OIIO::ImageBuf& buffer) {
+  if (!buffer.localpixels()) throw std::bad_alloc();
   const OIIO::ImageSpec& spec = buffer.spec();
   Image image(spec.width, spec.height, spec.nchannels);
   buffer.get_pixels(OIIO::ROI::All(), OIIO::TypeDesc::FLOAT, image.pixels.data());

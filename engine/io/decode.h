@@ -29,6 +29,7 @@ DecodedImage decode_image(const std::filesystem::path& file, std::string_view by
                           int max_side);
 
 /// The buffer's values as floats: integers as fractions of their range, floats as they are.
+/// @throws std::bad_alloc also for a buffer that OpenImageIO had no memory for, which it does not throw
 Image to_image(const OIIO::ImageBuf& buffer);
 
 /// A float buffer with a copy of the image's values.

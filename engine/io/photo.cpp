@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "engine/io/decode.h"
 #include "engine/io/file.h"
@@ -114,14 +115,8 @@ Image upright(const Image& image, int orientation) {
   }
 }
 
-}  // namespace
-
-Photo load_photo(const fs::path& file) {
-  constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
-  const std::string bytes = read_file(file, kMaxFileBytes);
-  const DecodedImage decoded = decode_image(file, bytes, kMinPhotoSide, kMaxPhotoSide);
+Photo photo_of(const DecodedImage& decoded) {
   const int orientation = orientation_of(decoded);
-
   Photo photo;
   photo.original_width = decoded.header.width;
   photo.original_height = decoded.header.height;
@@ -129,8 +124,21 @@ Photo load_photo(const fs::path& file) {
   if (decoded.cmyk)
     photo.warnings.push_back("The photo is CMYK: its colours were converted without its print profile.");
   photo.image = upright(display_square(decoded, photo.warnings), orientation);
-  photo.sha256 = sha256_hex(bytes);
   return photo;
+}
+
+}  // namespace
+
+Photo load_photo(const fs::path& file) {
+  constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+  try {
+    const std::string bytes = read_file(file, kMaxFileBytes);
+    Photo photo = photo_of(decode_image(file, bytes, kMinPhotoSide, kMaxPhotoSide));
+    photo.sha256 = sha256_hex(bytes);
+    return photo;
+  } catch (const std::bad_alloc&) {
+    refuse_image(file, "needs more memory than there is: reduce its size.");
+  }
 }
 
 Image resized(const Image& image, int side) {

@@ -1,3 +1,4 @@
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -106,6 +107,20 @@ TEST_F(PhotoRefusal, MorePixelsThanSoFewBytesCanHold) {
   // As well compressed as PNG can.
   write_test_image(folder_ / "flat.png", Image(3000, 3000, 4), {OIIO::TypeDesc::UINT16});
   EXPECT_EQ(refusal(folder_ / "flat.png"), "");
+}
+
+TEST_F(PhotoRefusal, MoreMemoryThanThereIs) {
+  write_test_image(folder_ / "large.tif", Image(3000, 3000, 3), {OIIO::TypeDesc::FLOAT});
+  const auto says_memory = [&] {
+    OIIO::attribute("threads", 1);  // a forked process has no pool
+    // Room for the pixels as they are, and not for the work on them.
+    rlimit limit{};
+    ::getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = 150u << 20;
+    ::setrlimit(RLIMIT_DATA, &limit);
+    return refusal(folder_ / "large.tif").find("memory") == std::string::npos ? 1 : 0;
+  };
+  EXPECT_EQ(exit_status_of(says_memory), 0);
 }
 
 TEST_F(PhotoRefusal, RandomBytesWithAnyKnownBeginning) {
