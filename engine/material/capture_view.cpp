@@ -20,15 +20,15 @@ constexpr int kLargestKept = 1024;
 CaptureView make_view(const Capture& capture, int n, at::ScalarType type) {
   // A tensor born in inference mode could never serve a gradient.
   const c10::InferenceMode normal_mode(false);
-  const at::Tensor step = ((at::arange(n, at::kDouble) + 0.5) / n - 0.5) * capture.size_cm;
+  const at::Tensor step = (((at::arange(n, at::kDouble) + 0.5) / n - 0.5) * capture.size_cm).to(type);
   const at::Tensor x = step.view({1, n}).expand({n, n});
   const at::Tensor y = -step.view({n, 1}).expand({n, n});
   const at::Tensor square_radius = x.square() + y.square();
   const at::Tensor square_distance = square_radius + capture.camera_cm * capture.camera_cm;
   const at::Tensor z = at::full_like(square_radius, capture.camera_cm);
-  return {.direction = (at::stack({-x, -y, z}) / square_distance.sqrt()).to(type),
-          .inverse_square_distance = square_distance.reciprocal().to(type),
-          .square_radius = square_radius.to(type)};
+  return {.direction = at::stack({-x, -y, z}) / square_distance.sqrt(),
+          .inverse_square_distance = square_distance.reciprocal(),
+          .square_radius = square_radius};
 }
 
 }  // namespace

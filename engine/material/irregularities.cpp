@@ -2,15 +2,12 @@
 
 #include <ATen/ops/cat.h>
 #include <ATen/ops/empty.h>
-#include <ATen/ops/ones_like.h>
 #include <ATen/ops/pad.h>
-#include <ATen/ops/polar.h>
-#include <ATen/ops/roll.h>
-#include <ATen/ops/view_as_real.h>
 #include <c10/core/InferenceMode.h>
 
 #include <array>
 #include <cassert>
+#include <complex>
 #include <map>
 #include <mutex>
 #include <numbers>
@@ -27,31 +24,32 @@ enum Stream : std::uint64_t { kPhases = 1, kNoise = 100, kCells = 200 };
 // Larger grids are for export, once.
 constexpr int kLargestKept = 1024;
 
-/// Random phases at the map's corner, carried on to the centre of the first pixel: grids of all sizes then
-/// sample one surface.
-at::Tensor make_phases(std::uint64_t seed, int n) {
-  at::Tensor phases = at::empty({n, n}, at::kDouble);
-  auto entry = phases.accessor<double, 2>();
+/// exp(i phase) of one frequency. Phases are random at the map's corner, and carried on from there to the
+/// centre of the first pixel: grids of all sizes then sample one surface.
+std::complex<double> phasor(std::uint64_t seed, int n, int row, int column) {
   const auto frequency = [n](int k) { return k < (n + 1) / 2 ? k : k - n; };
-  for (int row = 0; row < n; ++row)
-    for (int column = 0; column < n; ++column) {
-      const auto f = static_cast<std::uint32_t>(frequency(row)),
-                 g = static_cast<std::uint32_t>(frequency(column));
-      const double at_corner = 2 * uniform_hash(seed, kPhases, (std::uint64_t{f} << 32) | g);
-      const double to_centre = static_cast<double>(frequency(row) + frequency(column)) / n;
-      entry[row][column] = std::numbers::pi * (at_corner + to_centre);
-    }
-  return phases;
+  const int f = frequency(row), g = frequency(column);
+  const std::uint64_t place =
+      (std::uint64_t{static_cast<std::uint32_t>(f)} << 32) | static_cast<std::uint32_t>(g);
+  const double half_turns = 2 * uniform_hash(seed, kPhases, place) + static_cast<double>(f + g) / n;
+  return std::polar(1.0, std::numbers::pi * half_turns);
 }
 
+template <typename Real>
 Phasors make_phasors(std::uint64_t seed, int n, at::ScalarType type) {
-  const at::Tensor phases = make_phases(seed, n);
-  const at::Tensor all = at::polar(at::ones_like(phases), phases);
-  const at::Tensor opposite = at::roll(all.flip({0, 1}), {1, 1}, {0, 1}).conj().resolve_conj();
-  const auto half = [&](const at::Tensor& grid) {
-    return at::view_as_real(grid.narrow(1, 0, n / 2 + 1)).to(type).contiguous();
-  };
-  return {.forward = half(all), .mirrored = half(opposite)};
+  const int half = n / 2 + 1;
+  const Phasors phasors{at::empty({n, half, 2}, type), at::empty({n, half, 2}, type)};
+  auto forward = phasors.forward.accessor<Real, 3>(), mirrored = phasors.mirrored.accessor<Real, 3>();
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < half; ++column) {
+      const std::complex<double> here = phasor(seed, n, row, column);
+      const std::complex<double> opposite = std::conj(phasor(seed, n, (n - row) % n, (n - column) % n));
+      forward[row][column][0] = static_cast<Real>(here.real());
+      forward[row][column][1] = static_cast<Real>(here.imag());
+      mirrored[row][column][0] = static_cast<Real>(opposite.real());
+      mirrored[row][column][1] = static_cast<Real>(opposite.imag());
+    }
+  return phasors;
 }
 
 at::Tensor with_border(const at::Tensor& map) { return at::pad(map, {1, 1, 1, 1}, "circular"); }
@@ -85,11 +83,13 @@ std::uint64_t Irregularities::seed() const { return cache_->seed; }
 
 Phasors Irregularities::phasors(int n, at::ScalarType type) const {
   const c10::InferenceMode normal_mode(false);
-  if (n > kLargestKept || type != at::kFloat) return make_phasors(cache_->seed, n, type);
+  if (type == at::kDouble) return make_phasors<double>(cache_->seed, n, type);
+  assert(type == at::kFloat);
+  if (n > kLargestKept) return make_phasors<float>(cache_->seed, n, type);
   const std::lock_guard lock(cache_->mutex);
   const auto found = cache_->phasors.find(n);
   if (found != cache_->phasors.end()) return found->second;
-  return cache_->phasors.emplace(n, make_phasors(cache_->seed, n, type)).first->second;
+  return cache_->phasors.emplace(n, make_phasors<float>(cache_->seed, n, type)).first->second;
 }
 
 at::Tensor Irregularities::noise(int choice) const {
