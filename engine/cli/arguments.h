@@ -19,8 +19,8 @@ std::pair<std::string, double> parse_assignment(const std::string& option, const
 /// "rough=0.4,0.1,0.2,0.6" (mean, sd, low, high). @throws UserError
 std::pair<std::string, TruncatedNormal> parse_prior(const std::string& text);
 
-/// A check for CLI11: empty for a whole number from 0 to 2^64 - 1, else what is wrong. CLI11 itself would take
-/// -1 for the largest seed.
+/// A check for CLI11: empty for a whole number from 0 to 2^64 - 1, else what is wrong. CLI11 itself would
+/// take -1 for the largest seed.
 std::string seed_problem(const std::string& text);
 
 /// --size-cm and --camera-cm. Without --camera-cm the field of view stays the default one.

@@ -10,7 +10,7 @@
 
 namespace patina {
 
-// The run directory's layout (README.md, "Run directory").
+// The files of a run directory.
 
 std::filesystem::path manifest_file(const std::filesystem::path& directory);  ///< run.json
 std::filesystem::path photo_file(const std::filesystem::path& directory);     ///< photo.png

@@ -55,7 +55,7 @@ std::vector<Draw> RunReader::take_draws() {
   }
   std::vector<Draw> draws;
   for (int k = 0; k < manifest_.settings.chains; ++k) read_chain(k, draws);
-  if (last_look_) draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
+  if (last_look_ && !draws.empty()) draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
   last_look_ = now;
   return draws;
 }

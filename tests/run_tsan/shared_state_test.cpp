@@ -155,5 +155,15 @@ TEST(RateMeter, ASteadyStreamHasItsOwnRateAndAnEndedOneHasNone) {
   EXPECT_EQ(meter.per_second(now + 4s), 0);
 }
 
+TEST(RateMeter, AStreamHasItsRateFromItsFirstSecondOnAlsoAfterASilence) {
+  RateMeter meter;
+  for (const auto begin : {1000s, 1060s}) {
+    auto now = RateMeter::Clock::time_point(begin);
+    EXPECT_EQ(meter.per_second(now), 0);
+    for (int i = 0; i < 100; ++i, now += 10ms) meter.count(1, now);
+    EXPECT_NEAR(meter.per_second(now), 100, 5);
+  }
+}
+
 }  // namespace
 }  // namespace patina
