@@ -6,13 +6,13 @@
 
 namespace patina {
 
-/// Where a chain starts: continuous coordinates from N(mode, 2^2 C), discrete levels uniform, so that chains
+/// Where a chain starts: continuous coordinates from N(mode, 2 C), discrete levels uniform, so that chains
 /// start further apart than the posterior is wide and R-hat can tell whether they found each other (Gelman &
-/// Rubin 1992). Starts that lie far below the mode, as the normal approximation may propose, are drawn anew;
-/// the later half of the tries keep the mode's levels. After kStartTries the best one is taken.
+/// Rubin 1992). Starts that lie further below the mode than an over-dispersed normal would are drawn anew,
+/// from a spread that narrows; the later half of the tries keep the mode's levels.
 /// @param mode      position and evaluation of the posterior's mode
 /// @param laplace   C, the covariance of the Laplace approximation there
-/// @return a state of finite log density; the mode itself if no try has one
+/// @return a state of finite log density; the mode itself if no try of kStartTries will do
 ChainState overdispersed_start(const LogDensity& target, const ChainState& mode, const Metric& laplace,
                                Rng& rng);
 

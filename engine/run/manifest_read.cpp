@@ -104,6 +104,7 @@ RunSettings settings(const Json& json) {
   s.warmup = integer(json, "warmup", 0);
   s.draws = integer(json, "draws", 0);
   s.alpha = number(json, "alpha");
+  s.refresh = number(json, "refresh");
   s.seed = seed(json, "seed");
   s.z_seed = seed(json, "z_seed");
   const Json& map_only = field(json, "map_only");

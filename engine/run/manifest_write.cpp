@@ -28,6 +28,7 @@ Json settings_json(const RunSettings& s) {
           {"warmup", s.warmup},
           {"draws", s.draws},
           {"alpha", s.alpha},
+          {"refresh", s.refresh},
           {"seed", s.seed},
           {"z_seed", s.z_seed},
           {"map_only", s.map_only},

@@ -50,6 +50,8 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
   check_capture(settings.capture);
   if (!(settings.alpha > 0 && settings.alpha <= 1))
     throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
+  if (!(settings.refresh >= 0 && settings.refresh < 1))
+    throw UserError("The share of refresh moves must be at least 0 and below 1.");
   check_kernel(settings.kernel);
   if (photo.image.empty() || photo.image.width != photo.image.height || photo.image.channels != 3)
     throw UserError("The photo is not a square of three channels: open it again.");

@@ -22,6 +22,7 @@ struct RunSettings {
   int warmup = 500;
   int draws = 1000;          ///< per chain, after warm-up
   double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
+  double refresh = 0.3;      ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;    ///< of the search and the chains
   std::uint64_t z_seed = 1;  ///< of the irregularities
   bool map_only = false;     ///< stop after the search for the mode

@@ -161,7 +161,7 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha);
+  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh);
   const ChainPlan plan{settings_,
                        table_,
                        target,

@@ -13,7 +13,7 @@ struct ChainState {
   Evaluation evaluation;
 };
 
-enum class MoveKind { continuous, discrete };
+enum class MoveKind { continuous, refresh, discrete };
 
 /// What one transition did. Never fed back into the chain; adaptation and front ends read it.
 struct TransitionInfo {

@@ -15,14 +15,25 @@ std::unique_ptr<Kernel> make_mala();
 /// DiscreteSample).
 std::unique_ptr<Kernel> make_discrete_move();
 
+/// Moves one continuous coordinate, chosen at random, towards a fresh draw from N(0, 1): x' = sqrt(1 - b^2) x
+/// + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White
+/// 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat directions, and from one basin to
+/// another, in one step, which no local move does. Valid for any target.
+std::unique_ptr<Kernel> make_refresh_move();
+
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
 std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete,
                                      double alpha);
 
 std::vector<std::string> kernel_names();
 
-/// The kernel for a target: the named continuous one, mixed with discrete moves where the target has discrete
-/// coordinates. @throws std::invalid_argument for an unknown name or alpha outside (0, 1]
-std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha);
+/// The kernel for a target: the named continuous one, mixed with refresh moves, and with discrete moves where
+/// the target has discrete coordinates.
+/// @param alpha    probability of a continuous move (named or refresh) where there are discrete coordinates,
+/// (0, 1]
+/// @param refresh  probability that a continuous move is a refresh move, [0, 1)
+/// @throws std::invalid_argument for an unknown name or a probability out of range
+std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
+                                    double refresh = 0);
 
 }  // namespace patina

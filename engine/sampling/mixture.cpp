@@ -48,9 +48,12 @@ std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::un
 
 std::vector<std::string> kernel_names() { return {"mala"}; }
 
-std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha) {
+std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
+                                    double refresh) {
   check_alpha(alpha);
+  if (!(refresh >= 0 && refresh < 1)) throw std::invalid_argument("refresh must be in [0, 1)");
   std::unique_ptr<Kernel> continuous = make_continuous(name);
+  if (refresh > 0) continuous = make_mixture(std::move(continuous), make_refresh_move(), 1 - refresh);
   if (target.discrete_levels().empty()) return continuous;
   if (target.dimension() == 0) return make_discrete_move();
   return make_mixture(std::move(continuous), make_discrete_move(), alpha);

@@ -164,7 +164,7 @@ TEST_F(ChainTest, WithoutWarmUpEveryRowIsADraw) {
   for (const auto& row : reader.read_new()) EXPECT_FALSE(row.warmup);
 }
 
-TEST(OverdispersedStart, IsTwiceAsWideAsTheLaplaceApproximation) {
+TEST(OverdispersedStart, HasTwiceTheVarianceOfTheLaplaceApproximation) {
   const Gaussian target;
   const Position mode{target.mean, Eigen::VectorXi()};
   const Metric metric(target.covariance);
@@ -177,7 +177,8 @@ TEST(OverdispersedStart, IsTwiceAsWideAsTheLaplaceApproximation) {
     scatter += from_mode * from_mode.transpose() / kStarts;
     ASSERT_EQ(start.evaluation.log_density, target.evaluate(start.position).log_density);
   }
-  EXPECT_LT((scatter - 4 * target.covariance).norm(), 0.1 * 4 * target.covariance.norm());
+  // The deepest starts are drawn anew, which takes a few per cent off.
+  EXPECT_LT((scatter - 2 * target.covariance).norm(), 0.15 * 2 * target.covariance.norm());
 }
 
 /// Half of the plane has no density.

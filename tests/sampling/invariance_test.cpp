@@ -85,6 +85,20 @@ Outcome after_transitions(const Kernel& kernel, const LogDensity& target, int tr
   return outcome;
 }
 
+/// A refresh move that forgets the N(0, 1) of its proposals: a plausible mistake.
+class RefreshWithoutProposalTerm final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings&, ChainState& state,
+                      Rng& rng) const override {
+    Position position = state.position;
+    position.continuous[rng.below(3)] = rng.normal();
+    ChainState proposal = state_at(target, position);
+    const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
+    return metropolis_step(MoveKind::refresh, log_ratio, 1e9, std::move(proposal), state, rng);
+  }
+  double target_acceptance() const override { return 0; }
+};
+
 /// MALA that forgets the proposals in its ratio: a plausible mistake.
 class MalaWithoutReverseProposal final : public Kernel {
  public:
@@ -109,6 +123,17 @@ TEST(Invariance, mala_keeps_exact_draws_exact) {
   EXPECT_LT(outcome.accepted, 0.99);
 }
 
+TEST(Invariance, refresh_moves_keep_exact_draws_exact) {
+  const Outcome outcome = after_transitions(*make_refresh_move(), SkewedTarget(), 5);
+  EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+  EXPECT_GT(outcome.moved, 0.2);
+  EXPECT_LT(outcome.accepted, 0.99);
+}
+
+TEST(Invariance, is_lost_when_a_refresh_forgets_its_proposal) {
+  EXPECT_GT(after_transitions(RefreshWithoutProposalTerm(), SkewedTarget(), 5).worst, 1);
+}
+
 TEST(Invariance, discrete_moves_keep_exact_draws_exact) {
   const Outcome outcome = after_transitions(*make_discrete_move(), SkewedTarget(), 3);
   EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
@@ -118,7 +143,7 @@ TEST(Invariance, discrete_moves_keep_exact_draws_exact) {
 TEST(Invariance, the_mixture_keeps_exact_draws_exact) {
   const SkewedTarget target;
   for (const double alpha : {0.3, 0.8}) {
-    const Outcome outcome = after_transitions(*make_kernel("mala", target, alpha), target, 4);
+    const Outcome outcome = after_transitions(*make_kernel("mala", target, alpha, 0.3), target, 4);
     EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " at alpha " << alpha;
     EXPECT_GT(outcome.moved, 0.2);
   }
