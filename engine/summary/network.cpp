@@ -21,7 +21,7 @@ at::Tensor Network::Convolution::operator()(const at::Tensor& x) const {
 }
 
 std::vector<at::Tensor> Network::features(const at::Tensor& image) const {
-  at::Tensor trunk = (image.unsqueeze(0) - mean_) / std_;
+  at::Tensor trunk = ((image.unsqueeze(0) - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
   std::vector<at::Tensor> taps;
   for (const Layer& layer : layers_) {
     switch (layer.op) {

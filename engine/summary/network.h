@@ -14,15 +14,14 @@ namespace patina {
 /// The file is a .safetensors file of float32 tensors whose metadata entry "patina_network" is JSON:
 ///   {"format": 1, "name": "...", "mean": [r, g, b], "std": [r, g, b], "layers": [...]}
 /// The input, sRGB in [0,1], is normalised to (x - mean) / std. Layers run in order on a trunk:
-///   {"op": "conv", "weights": "NAME", "relu": true}   trunk = [ReLU] conv(trunk), with NAME.weight [out, in,
-///   k, k],
-///                                                     k odd, and NAME.bias [out]; reflection padding, same
-///                                                     size
-///   {"op": "avg_pool"}, {"op": "max_pool"}            2 x 2, stride 2
-///   {"op": "tap", "weights": ["NAME", ...]}           one feature map of the summary: the trunk as it is, or
-///   the
-///                                                     trunk sent through those convolutions, each with ReLU,
-///                                                     aside
+///   {"op": "conv", "weights": "NAME", "relu": true}
+///       trunk = [ReLU] conv(trunk) with NAME.weight [out, in, k, k], k odd, and NAME.bias [out]; reflection
+///       padding keeps the size
+///   {"op": "avg_pool"} or {"op": "max_pool"}
+///       2 x 2, stride 2; an odd last row or column is dropped
+///   {"op": "tap", "weights": ["NAME", ...]}
+///       one feature map of the summary: the trunk as it is, or the trunk sent through those convolutions,
+///       each with ReLU, aside
 class Network {
  public:
   /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture

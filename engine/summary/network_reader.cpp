@@ -1,6 +1,7 @@
 #include <ATen/ops/isfinite.h>
 #include <ATen/ops/tensor.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/error.h"
@@ -36,6 +37,9 @@ class NetworkReader {
  private:
   static constexpr std::size_t kMaxLayers = 200;
   static constexpr int kMaxPools = 8;
+  static constexpr std::int64_t kMaxChannels = 2048;  // of which a Gram matrix takes 16 MB
+  static constexpr std::int64_t kMaxSide = 65;        // pixels, of a convolution's kernel
+  static constexpr float kMinStd = 1e-3f;
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw UserError("The network file " + file_.filename().string() + " cannot be used: " + why +
@@ -48,37 +52,45 @@ class NetworkReader {
     return json[key];
   }
 
+  bool relu(const nlohmann::json& layer) const {
+    const nlohmann::json relu = layer.value("relu", nlohmann::json(true));
+    if (!relu.is_boolean()) refuse("a layer's 'relu' is neither true nor false");
+    return relu.get<bool>();
+  }
+
   at::Tensor colour(const nlohmann::json& json, const char* key) const {
     std::vector<float> numbers;
     if (json.contains(key) && json[key].is_array() && json[key].size() == 3)
       for (const auto& number : json[key])
-        if (number.is_number()) numbers.push_back(number.get<float>());
+        if (number.is_number() && std::isfinite(number.get<float>())) numbers.push_back(number.get<float>());
     if (numbers.size() != 3) refuse(std::string("its description lacks three numbers '") + key + "'");
     if (key == std::string("std"))
       for (const float number : numbers)
-        if (!(number > 0)) refuse("its std is not above 0");
+        if (number < kMinStd) refuse("its std is not above " + std::to_string(kMinStd));
     return at::tensor(numbers, at::kFloat).view({1, 3, 1, 1});
   }
 
   at::Tensor tensor(const std::string& name, std::int64_t dimensions) const {
     const auto found = contents_.tensors.find(name);
-    if (found == contents_.tensors.end()) refuse("tensor '" + name.substr(0, 80) + "' is missing");
-    if (found->second.dim() != dimensions) refuse("tensor '" + name + "' has the wrong number of dimensions");
+    if (found == contents_.tensors.end()) refuse("tensor '" + printable(name) + "' is missing");
+    if (found->second.dim() != dimensions)
+      refuse("tensor '" + printable(name) + "' has the wrong number of dimensions");
     if (!at::isfinite(found->second).all().item<bool>())
-      refuse("tensor '" + name + "' has values that are not numbers");
+      refuse("tensor '" + printable(name) + "' has values that are not numbers");
     return found->second;
   }
 
   Network::Convolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) const {
-    Network::Convolution convolution{tensor(name + ".weight", 4), tensor(name + ".bias", 1), relu};
-    const at::Tensor& weight = convolution.weight;
+    const at::Tensor weight = tensor(name + ".weight", 4), bias = tensor(name + ".bias", 1);
     if (weight.size(1) != in_channels)
-      refuse("'" + name + "' takes " + std::to_string(weight.size(1)) + " channels where " +
+      refuse("'" + printable(name) + "' takes " + std::to_string(weight.size(1)) + " channels where " +
              std::to_string(in_channels) + " arrive");
-    if (weight.size(2) != weight.size(3) || weight.size(2) % 2 == 0)
-      refuse("'" + name + "' is not an odd square");
-    if (convolution.bias.size(0) != weight.size(0)) refuse("the bias of '" + name + "' has the wrong size");
-    return convolution;
+    if (weight.size(0) > kMaxChannels)
+      refuse("'" + printable(name) + "' makes more than " + std::to_string(kMaxChannels) + " channels");
+    if (weight.size(2) != weight.size(3) || weight.size(2) % 2 == 0 || weight.size(2) > kMaxSide)
+      refuse("'" + printable(name) + "' is not an odd square of at most " + std::to_string(kMaxSide));
+    if (bias.size(0) != weight.size(0)) refuse("the bias of '" + printable(name) + "' has the wrong size");
+    return {weight.contiguous(at::MemoryFormat::ChannelsLast), bias, relu};
   }
 
   Network::Layer read_layer(const nlohmann::json& json) {
@@ -86,8 +98,7 @@ class NetworkReader {
     Network::Layer layer;
     if (op == "conv") {
       layer.op = Network::Op::conv;
-      layer.convolutions.push_back(
-          read_convolution(text(json, "weights"), trunk_channels_, json.value("relu", true)));
+      layer.convolutions.push_back(read_convolution(text(json, "weights"), trunk_channels_, relu(json)));
       trunk_channels_ = layer.convolutions.front().weight.size(0);
     } else if (op == "avg_pool" || op == "max_pool") {
       layer.op = op == "avg_pool" ? Network::Op::avg_pool : Network::Op::max_pool;
@@ -95,7 +106,7 @@ class NetworkReader {
     } else if (op == "tap") {
       read_tap(json, layer);
     } else {
-      refuse("its description has an unknown layer '" + op.substr(0, 40) + "'");
+      refuse("its description has an unknown layer '" + printable(op) + "'");
     }
     return layer;
   }

@@ -41,9 +41,7 @@ bool read_unsigned(const Json& json, std::uint64_t& number) {
 
 Entry check_entry(const std::filesystem::path& file, const std::string& name, const Json& json,
                   std::uint64_t data_bytes) {
-  const auto bad = [&](const std::string& why) {
-    refuse(file, "tensor '" + name.substr(0, 80) + "' " + why);
-  };
+  const auto bad = [&](const std::string& why) { refuse(file, "tensor '" + printable(name) + "' " + why); };
   if (!json.is_object() || !json.contains("dtype") || !json.contains("shape") ||
       !json.contains("data_offsets"))
     bad("is not described");
@@ -91,6 +89,13 @@ Json parse_header(const std::filesystem::path& file, const std::string& bytes, s
 }
 
 }  // namespace
+
+std::string printable(std::string name) {
+  name.resize(std::min<std::size_t>(name.size(), 80));
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
+  return name;
+}
 
 SafeTensors read_safetensors(const std::filesystem::path& file) {
   const std::string bytes = read_file(file, kMaxFileBytes);

@@ -21,6 +21,9 @@ struct SafeTensors {
 /// @throws UserError for a file that is not one, is larger than 600 MB, or holds a tensor that is not float32
 SafeTensors read_safetensors(const std::filesystem::path& file);
 
+/// A name from an untrusted file, fit for a one-line message: cut after 80 bytes, control characters as '?'.
+std::string printable(std::string name);
+
 /// Writes contiguous float32 tensors. @throws UserError if the file cannot be written
 void write_safetensors(const std::filesystem::path& file, const SafeTensors& contents);
 

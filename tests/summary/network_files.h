@@ -1,0 +1,70 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "engine/error.h"
+#include "engine/summary/safetensors.h"
+
+namespace patina {
+
+/// A test with an empty folder of its own, removed afterwards.
+class NetworkFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "patina-summary-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  std::filesystem::path file(std::string_view bytes) const {
+    const std::filesystem::path path = folder_ / "network.safetensors";
+    std::filesystem::remove(path);
+    std::ofstream(path, std::ios::binary) << bytes;
+    return path;
+  }
+
+  std::filesystem::path file(const SafeTensors& contents) const {
+    const std::filesystem::path path = folder_ / "network.safetensors";
+    write_safetensors(path, contents);
+    return path;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// Values from N(0, scale^2), the same for the same seed.
+at::Tensor random_tensor(at::IntArrayRef shape, unsigned seed, double scale = 1);
+
+/// A small network with everything the format knows: three convolutions, one of them without ReLU and one
+/// 5 x 5, both poolings, a tap of the trunk itself and one through two convolutions aside.
+SafeTensors small_network();
+
+/// The same weights under another description of the layers (JSON).
+SafeTensors with_layers(const std::string& layers);
+
+/// The UserError's message that an action throws, "" if it throws none; it must be one line and a sentence.
+template <typename Action>
+std::string user_error(Action&& action) {
+  try {
+    action();
+  } catch (const UserError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_TRUE(message.ends_with('.')) << message;
+    EXPECT_LT(message.size(), 400u) << message;
+    return message;
+  }
+  return {};
+}
+
+}  // namespace patina

@@ -1,0 +1,228 @@
+#include "engine/summary/network.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/dot.h>
+#include <ATen/ops/full.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/summary/gram.h"
+#include "engine/summary/ring_means.h"
+#include "engine/summary/summary.h"
+#include "tests/summary/naive.h"
+#include "tests/summary/network_files.h"
+
+namespace patina {
+namespace {
+
+at::Tensor random_image(std::int64_t side, unsigned seed = 3) {
+  return (random_tensor({3, side, side}, seed, 0.2) + 0.5).clamp(0, 1);
+}
+
+void expect_equal(const at::Tensor& actual, const naive::Maps& expected, double tolerance) {
+  const naive::Maps maps = naive::from_tensor(actual);
+  ASSERT_EQ(maps.channels, expected.channels);
+  ASSERT_EQ(maps.height, expected.height);
+  ASSERT_EQ(maps.width, expected.width);
+  for (std::size_t i = 0; i < maps.values.size(); ++i)
+    ASSERT_NEAR(maps.values[i], expected.values[i], tolerance) << "at " << i;
+}
+
+using NetworkTest = NetworkFiles;
+
+TEST_F(NetworkTest, FeaturesEqualPlainLoopsInDouble) {
+  const SafeTensors contents = small_network();
+  const Network network = Network::load(file(contents));
+  for (const std::int64_t side : {16, 19}) {  // an odd side loses a row and a column to each pooling
+    const at::Tensor image = random_image(side);
+    const double mean[3] = {0.5, 0.4, 0.3}, std[3] = {0.2, 0.3, 0.4};
+    const auto conv = [&](const naive::Maps& x, const char* name, bool relu) {
+      return naive::convolved(x, contents, name, relu);
+    };
+    naive::Maps trunk = conv(naive::normalised(naive::from_tensor(image), mean, std), "a", true);
+    const std::vector<at::Tensor> features = network.features(image);
+    ASSERT_EQ(features.size(), 3u);
+    expect_equal(features[0], trunk, 1e-5);
+    trunk = conv(naive::average_pooled(trunk), "b", false);
+    expect_equal(features[1], conv(conv(trunk, "aside1", true), "aside2", true), 1e-5);
+    trunk = conv(naive::max_pooled(trunk), "c", true);
+    expect_equal(features[2], trunk, 1e-5);
+  }
+}
+
+TEST_F(NetworkTest, TellsItsChannelsAndTheSmallestImageItTakes) {
+  const Network network = Network::load(file(small_network()));
+  EXPECT_EQ(network.feature_channels(), (std::vector<std::int64_t>{4, 2, 3}));
+  ASSERT_EQ(network.minimum_resolution(), 6) << "5 x 5 filters after one pooling reflect 2 of 3 pixels";
+  EXPECT_EQ(network.features(random_image(6)).size(), 3u);
+  EXPECT_ANY_THROW(network.features(random_image(5)));
+}
+
+TEST(GramVector, EqualsLoopsOverThePixelsAndKeepsTheFrobeniusNorm) {
+  const at::Tensor features = random_tensor({5, 7, 9}, 4);
+  const std::vector<double> expected = naive::gram(naive::from_tensor(features));
+  const at::Tensor vector = gram_vector(features);
+  ASSERT_EQ(vector.numel(), 15);
+  std::int64_t k = 0;
+  double square = 0;
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < 5; ++j) {
+      square += expected[i * 5 + j] * expected[i * 5 + j];
+      if (j >= i) {
+        EXPECT_NEAR(vector[k++].item<double>(), expected[i * 5 + j] * (i == j ? 1 : std::sqrt(2.0)), 1e-5);
+      }
+    }
+  EXPECT_NEAR(vector.norm().item<double>(), std::sqrt(square), 1e-5);
+}
+
+TEST(RingMeans, EqualMeansOverThePixelsOfEachRing) {
+  constexpr int kSide = 23;
+  const naive::Maps image = naive::from_tensor(random_image(kSide));
+  double sums[3][RingMeans::kRings] = {}, counts[RingMeans::kRings] = {};
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column) {
+      const double x = column - (kSide - 1) / 2.0, y = row - (kSide - 1) / 2.0;  // pixels from the centre
+      const double radius = std::sqrt(x * x + y * y);
+      const int ring = radius < kSide / 8.0 ? 0 : radius < kSide / 4.0 ? 1 : radius < 3 * kSide / 8.0 ? 2 : 3;
+      ++counts[ring];
+      for (int c = 0; c < 3; ++c) sums[c][ring] += image.at(c, row, column);
+    }
+  const at::Tensor means = RingMeans()(random_image(kSide));
+  for (int c = 0; c < 3; ++c)
+    for (int ring = 0; ring < RingMeans::kRings; ++ring)
+      EXPECT_NEAR(means[c * RingMeans::kRings + ring].item<double>(), sums[c][ring] / counts[ring], 1e-5);
+}
+
+/// A random linear functional of a summary of an image.
+double projected(const Summary& summary, const at::Tensor& image, const at::Tensor& weights) {
+  return at::dot(summary(image).to(at::kDouble), weights.to(at::kDouble)).item<double>();
+}
+
+/// |derivatives along eight directions by autograd - by central differences|, relative to the latter.
+double gradient_error(const Summary& summary, double step) {
+  const at::Tensor image = random_image(16);
+  const at::Tensor weights = random_tensor({summary(image).size(0)}, 5);
+  const at::Tensor leaf = image.clone().set_requires_grad(true);
+  at::dot(summary(leaf), weights).backward();
+  double error = 0, scale = 0;
+  for (unsigned seed = 10; seed < 18; ++seed) {
+    const at::Tensor direction = random_tensor({3, 16, 16}, seed);
+    const double exact = (leaf.grad() * direction).sum().item<double>();
+    const double difference = (projected(summary, image + step * direction, weights) -
+                               projected(summary, image - step * direction, weights)) /
+                              (2 * step);
+    error += (exact - difference) * (exact - difference);
+    scale += difference * difference;
+  }
+  return std::sqrt(error / scale);
+}
+
+TEST_F(NetworkTest, GradientEqualsCentralDifferencesWhichAreExactForAQuadraticSummary) {
+  const auto smooth =
+      make_summary("gram", file(with_layers(R"([{"op": "conv", "weights": "a", "relu": false}, {"op": "tap"},
+                                   {"op": "avg_pool"}, {"op": "conv", "weights": "b", "relu": false},
+                                   {"op": "tap"}])")));
+  EXPECT_LT(gradient_error(*smooth, 0.1), 1e-4);
+}
+
+TEST_F(NetworkTest, GradientPassesRectifiersAndMaxima) {
+  const auto summary = make_summary("gram", file(small_network()));
+  EXPECT_LT(gradient_error(*summary, 3e-4), 1e-2) << "the error falls with the step: kinks";
+}
+
+TEST_F(NetworkTest, SummaryIsItsBlocksInOrder) {
+  const std::filesystem::path path = file(small_network());
+  const auto summary = make_summary("gram", path);
+  const at::Tensor image = random_image(20), vector = (*summary)(image);
+  const std::vector<at::Tensor> features = Network::load(path).features(image);
+  std::int64_t at = 0;
+  const std::vector<SummaryBlock> blocks = summary->blocks();
+  ASSERT_EQ(blocks.size(), features.size() + 1);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const bool gram = i < features.size();
+    const at::Tensor expected = gram ? gram_vector(features[i]) : RingMeans()(image);
+    EXPECT_EQ(blocks[i].relative, gram) << blocks[i].name;
+    ASSERT_EQ(blocks[i].size, expected.numel()) << blocks[i].name;
+    EXPECT_TRUE(vector.slice(0, at, at + blocks[i].size).allclose(expected)) << blocks[i].name;
+    at += blocks[i].size;
+  }
+  EXPECT_EQ(at, vector.numel());
+}
+
+TEST_F(NetworkTest, RefusesDescriptionsThatDoNotFitItsTensors) {
+  const auto said = [&](const std::string& layers) {
+    return user_error([&] { Network::load(file(with_layers(layers))); });
+  };
+  EXPECT_EQ(said(R"([{"op": "tap"}])"), "") << "the control: this one is good";
+  const std::pair<const char*, const char*> cases[] = {
+      {R"([{"op": "conv", "weights": "z"}, {"op": "tap"}])", "'z.weight' is missing"},
+      {R"([{"op": "conv", "weights": "b"}, {"op": "tap"}])", "takes 4 channels where 3 arrive"},
+      {R"([{"op": "tap", "weights": ["a", "c"]}])", "takes 5 channels where 4 arrive"},
+      {R"([{"op": "conv", "weights": "a", "relu": "yes"}, {"op": "tap"}])", "'relu'"},
+      {R"([{"op": "conv", "weights": 3}, {"op": "tap"}])", "lacks 'weights'"},
+      {R"([{"op": "conv"}, {"op": "tap"}])", "lacks 'weights'"},
+      {R"([{"op": "tap", "weights": "a"}])", "not a list"},
+      {R"([{"op": "tap", "weights": [1]}])", "not names"},
+      {R"([{"op": "dropout"}, {"op": "tap"}])", "unknown layer 'dropout'"},
+      {R"([{"op": "avg_pool"}])", "no tap"},
+      {R"([7])", "lacks 'op'"},
+      {R"([])", "no tap"},
+      {R"("none")", "no list of layers"},
+  };
+  for (const auto& [layers, message] : cases)
+    EXPECT_NE(said(layers).find(message), std::string::npos) << layers << ": " << said(layers);
+  std::string pools;
+  for (int i = 0; i < 9; ++i) pools += R"({"op": "avg_pool"}, )";
+  EXPECT_NE(said("[" + pools + R"({"op": "tap"}])").find("more than 8"), std::string::npos);
+}
+
+TEST_F(NetworkTest, RefusesTensorsThatCannotBeConvolutions) {
+  const auto said = [&](const std::string& name, const at::Tensor& tensor) {
+    SafeTensors contents = small_network();
+    contents.tensors[name] = tensor;
+    return user_error([&] { Network::load(file(contents)); });
+  };
+  EXPECT_EQ(said("a.bias", random_tensor({4}, 1)), "") << "the control: this one is good";
+  EXPECT_NE(said("a.bias", random_tensor({3}, 1)).find("bias"), std::string::npos);
+  EXPECT_NE(said("a.bias", random_tensor({4, 1}, 1)).find("dimensions"), std::string::npos);
+  EXPECT_NE(said("a.weight", random_tensor({4, 3, 2, 2}, 1)).find("odd square"), std::string::npos);
+  EXPECT_NE(said("a.weight", random_tensor({4, 3, 3, 5}, 1)).find("odd square"), std::string::npos);
+  EXPECT_NE(said("a.weight", random_tensor({4, 3, 67, 67}, 1)).find("odd square"), std::string::npos);
+  EXPECT_NE(said("a.weight", random_tensor({3000, 3, 1, 1}, 1)).find("channels"), std::string::npos);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(said("a.bias", at::full({4}, nan, at::kFloat)).find("not numbers"), std::string::npos);
+}
+
+TEST_F(NetworkTest, RefusesDescriptionsOfAnotherFormatOrWithoutUsableColours) {
+  const auto said = [&](const std::string& description) {
+    SafeTensors contents = small_network();
+    contents.metadata["patina_network"] = description;
+    return user_error([&] { Network::load(file(contents)); });
+  };
+  const std::string tail = R"(, "layers": [{"op": "tap"}]})";
+  const std::string colours = R"("mean": [0, 0, 0], "std": [1, 1, 1])";
+  EXPECT_EQ(said(R"({"format": 1, "name": "n", )" + colours + tail), "") << "the control: this one is good";
+  for (const std::string& bad :
+       {std::string("not JSON"), std::string("[]"), R"({"format": 2, "name": "n", )" + colours + tail,
+        R"({"format": "1", "name": "n", )" + colours + tail, R"({"format": 1, "name": 5, )" + colours + tail,
+        R"({"format": 1, "name": "n", "mean": [0, 0], "std": [1, 1, 1])" + tail,
+        R"({"format": 1, "name": "n", "mean": [0, 0, "0"], "std": [1, 1, 1])" + tail,
+        R"({"format": 1, "name": "n", "mean": [0, 0, 1e300], "std": [1, 1, 1])" + tail,
+        R"({"format": 1, "name": "n", "mean": [0, 0, 0], "std": [1, 0, 1])" + tail,
+        R"({"format": 1, "name": "n", "mean": [0, 0, 0], "std": [1, -1, 1])" + tail})
+    EXPECT_NE(said(bad), "") << bad;
+  SafeTensors bare = small_network();
+  bare.metadata.clear();
+  EXPECT_NE(user_error([&] { Network::load(file(bare)); }).find("do not describe a network"),
+            std::string::npos);
+}
+
+TEST(SummaryNames, AreThoseThatCanBeMadeAndNoOthers) {
+  for (const std::string& name : summary_names())
+    EXPECT_NO_THROW(make_summary(name, bundled_network())) << name;
+  EXPECT_NE(user_error([] { make_summary("colour", {}); }).find("'colour'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace patina
