@@ -19,8 +19,8 @@ struct RunSettings {
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "mala";
   int chains = 4;
-  int warmup = 500;
-  int draws = 1000;          ///< per chain, after warm-up
+  int warmup = 1000;
+  int draws = 2000;          ///< per chain, after warm-up
   double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.3;      ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;    ///< of the search and the chains
