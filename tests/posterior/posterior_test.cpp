@@ -37,6 +37,11 @@ Position at_prior_draw(const Posterior& posterior, Rng& rng, double spread) {
   return position;
 }
 
+/// Where a map is looked at. Point-sampled texels make the log density rough in these, at every step that
+/// float32 can resolve; tests/material/gradient_test.cpp checks their gradients through the render in double
+/// precision.
+bool is_look_up(const std::string& name) { return name == "scale" || name.starts_with("shift_"); }
+
 class EveryMaterial : public testing::TestWithParam<std::string> {};
 
 // The whole chain at once: transform, material, shading, display curve, network, Gram, error model. The
@@ -64,7 +69,10 @@ TEST_P(EveryMaterial, LogDensityGradientAgreesWithFiniteDifferences) {
   }
   std::vector<std::string> free;
   for (const Parameter& parameter : posterior.table().continuous) free.push_back(parameter.name);
-  for (std::size_t i = 0; i < agreements.size(); ++i) EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+  for (std::size_t i = 0; i < agreements.size(); ++i) {
+    if (is_look_up(free[i])) continue;
+    EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+  }
 }
 
 TEST_P(EveryMaterial, RecoversItsOwnRenderExactlyAtTheTruth) {
