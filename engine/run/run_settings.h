@@ -20,7 +20,7 @@ struct RunSettings {
   std::string kernel = "mala";
   int chains = 4;
   int warmup = 1000;
-  int draws = 2000;          ///< per chain, after warm-up
+  int draws = 3000;          ///< per chain, after warm-up
   double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.3;      ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;    ///< of the search and the chains
