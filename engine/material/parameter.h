@@ -22,6 +22,7 @@ struct Parameter {
   std::string unit;         ///< "cm", "cycles/cm", "degrees" or "" for a plain number
   std::string description;  ///< one line
   TruncatedNormal prior;
+  bool jagged = false;  ///< a place in a random map: a small step is another surface (LogDensity::jagged)
 };
 
 /// A discrete parameter: a choice among named levels, all equally likely a priori.
