@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,8 +40,16 @@ struct ParameterTable {
   std::vector<Parameter> continuous;
   std::vector<DiscreteParameter> discrete;
 
-  std::optional<std::size_t> find_continuous(std::string_view name) const;
-  std::optional<std::size_t> find_discrete(std::string_view name) const;
+  std::optional<std::size_t> find_continuous(std::string_view name) const { return find(continuous, name); }
+  std::optional<std::size_t> find_discrete(std::string_view name) const { return find(discrete, name); }
+
+ private:
+  template <typename Named>
+  static std::optional<std::size_t> find(const std::vector<Named>& parameters, std::string_view name) {
+    const auto found = std::ranges::find(parameters, name, &Named::name);
+    if (found == parameters.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - parameters.begin());
+  }
 };
 
 /// One point of a material's parameter space, in parameter units; discrete entries are level indices.

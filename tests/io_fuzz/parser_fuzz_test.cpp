@@ -13,7 +13,7 @@
 #include "engine/io/params_json.h"
 #include "engine/io/photo.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
@@ -63,7 +63,7 @@ class Mutator {
   std::mt19937 generator_;
 };
 
-class ParserFuzz : public TemporaryFolder {
+class ParserFuzz : public FolderTest {
  protected:
   /// Feeds changed copies of good bytes to a parser, which must take some and refuse some: a fuzz that stops
   /// at the front door tries nothing.
