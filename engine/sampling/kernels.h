@@ -8,8 +8,15 @@
 
 namespace patina {
 
+/// A quarter of the period of a normal posterior in its own metric, at which a path forgets where it began.
+constexpr double kPathLength = 1.5;
+
 /// Metropolis-adjusted Langevin (Roberts & Tweedie 1996), preconditioned by the metric.
 std::unique_ptr<Kernel> make_mala();
+
+/// Hamiltonian Monte Carlo (Neal 2011) with a path of jittered length: uniform on half to one and a half
+/// times path_length, in standard deviations of the metric.
+std::unique_ptr<Kernel> make_hmc(double path_length = kPathLength);
 
 /// Proposes a level for every discrete coordinate, uniform over the joint table (paper, Algorithm 1,
 /// DiscreteSample).

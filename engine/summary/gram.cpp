@@ -12,7 +12,10 @@ namespace patina {
 at::Tensor gram_vector(const at::Tensor& features) {
   const std::int64_t channels = features.size(0);
   const at::Tensor flat = features.reshape({channels, -1});
-  const at::Tensor gram = at::mm(flat, flat.t()) / static_cast<double>(flat.size(1));
+  // With W the gradient with respect to F F^T, that with respect to F is (W + W^T) F: one product. Left to itself,
+  // differentiation takes W F and W^T F apart and adds two arrays of the features' size.
+  const at::Tensor half = at::mm(flat, flat.detach().t());
+  const at::Tensor gram = (half + half.t() - half.detach()) / static_cast<double>(flat.size(1));
   const at::Tensor upper = at::triu_indices(channels, channels);
   const at::Tensor weights =
       at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(features.scalar_type());

@@ -17,7 +17,7 @@ class Folder : public ::testing::Test {
  protected:
   void touch(const std::string& name) const { std::ofstream(path_ / name) << ' '; }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   fs::path path_ = folder_.path();
 };
 

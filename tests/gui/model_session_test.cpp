@@ -20,7 +20,6 @@ namespace {
 using testing::draw_at;
 using testing::FakeRun;
 using testing::FakeSource;
-using testing::TemporaryFolder;
 
 /// A session whose runs are fakes, and a small photo to open.
 class SessionTest : public ::testing::Test {

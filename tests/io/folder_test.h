@@ -26,7 +26,7 @@ class FolderTest : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder temporary_;
+  TemporaryFolder temporary_;
 
  protected:
   const std::filesystem::path& folder_ = temporary_.path();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/leapfrog.h"
 #include "engine/sampling/metropolis.h"
 #include "tests/sampling/skewed_target.h"
 #include "tests/sampling/statistics.h"
@@ -121,6 +122,31 @@ TEST(Invariance, mala_keeps_exact_draws_exact) {
   EXPECT_GT(outcome.moved, 0.2);
   EXPECT_GT(outcome.accepted, 0.4);
   EXPECT_LT(outcome.accepted, 0.99);
+}
+
+TEST(Invariance, hmc_keeps_exact_draws_exact) {
+  const Outcome outcome = after_transitions(*make_hmc(), SkewedTarget(), 3);
+  EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+  EXPECT_GT(outcome.moved, 0.4);
+  EXPECT_GT(outcome.accepted, 0.3);
+  EXPECT_LT(outcome.accepted, 0.99);
+}
+
+/// HMC that weighs the potential energy alone: a plausible mistake.
+class HmcWithoutKineticEnergy final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    PhasePoint point{state, rng.normals(3)};
+    for (int i = 0; i < 2; ++i) leapfrog(target, *settings.metric, settings.step_size, point);
+    const double log_ratio = point.state.evaluation.log_density - state.evaluation.log_density;
+    return metropolis_step(MoveKind::continuous, log_ratio, 1e9, std::move(point.state), state, rng);
+  }
+  double target_acceptance() const override { return 0.65; }
+};
+
+TEST(Invariance, is_lost_without_the_kinetic_energy) {
+  EXPECT_GT(after_transitions(HmcWithoutKineticEnergy(), SkewedTarget(), 3).worst, 1);
 }
 
 TEST(Invariance, refresh_moves_keep_exact_draws_exact) {

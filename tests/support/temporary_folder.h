@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace patina::testing {
+namespace patina {
 
 /// A folder of its own for one test, gone afterwards.
 class TemporaryFolder {
@@ -28,4 +28,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace patina::testing
+}  // namespace patina
