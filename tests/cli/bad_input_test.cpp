@@ -51,6 +51,7 @@ TEST_F(BadInput, SettingsOfAFit) {
   refused(fit(good, {"--draws", "-5"}), "-5");
   refused(fit(good, {"--draws", "many"}), "--draws");
   refused(fit(good, {"--network", good}), "");
+  refused(fit(good, {"--summary", "gram,rings"}), "gram, rings, bands, means");
   refused(fit(good, {"--size-cm", "nan"}), "cm");
   refused(fit(good, {"--seed", "-1"}), "--seed");
   EXPECT_FALSE(std::filesystem::exists(path("run")));

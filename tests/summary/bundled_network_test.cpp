@@ -32,7 +32,7 @@ double gram_distance(const Summary& summary, const at::Tensor& a, const at::Tens
   for (const SummaryBlock& block : summary.blocks()) {
     const at::Tensor pa = sa.slice(0, at, at + block.size), pb = sb.slice(0, at, at + block.size);
     at += block.size;
-    if (!block.relative) continue;
+    if (block.scale != ErrorScale::relative) continue;
     const auto norm = [](const at::Tensor& x) { return x.norm().item<double>(); };
     sum += norm(pa - pb) / (norm(pa) / 2 + norm(pb) / 2);
     ++count;
