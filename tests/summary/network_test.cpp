@@ -47,6 +47,37 @@ TEST_F(NetworkTest, FeaturesEqualPlainLoopsInDouble) {
   }
 }
 
+/// A description whose padding is that JSON value.
+SafeTensors with_padding(SafeTensors contents, const std::string& padding) {
+  contents.metadata["patina_network"].insert(1, "\"padding\": " + padding + ", ");
+  return contents;
+}
+
+TEST_F(NetworkTest, PadsWithZerosWhereItsDescriptionSaysSo) {
+  const SafeTensors contents = with_layers(R"([{"op": "conv", "weights": "a"}, {"op": "tap"}])");
+  const at::Tensor image = random_image(9);
+  const double mean[3] = {0.5, 0.4, 0.3}, std[3] = {0.2, 0.3, 0.4};
+  const naive::Maps input = naive::normalised(naive::from_tensor(image), mean, std);
+  for (const bool reflect : {true, false}) {
+    const SafeTensors padded = with_padding(contents, reflect ? R"("reflect")" : R"("zero")");
+    expect_equal(Network::load(file(padded)).features(image)[0],
+                 naive::convolved(input, contents, "a", true, reflect), 1e-5);
+  }
+  for (const char* bad : {"\"circular\"", "3", "null"})
+    EXPECT_NE(user_error([&] { Network::load(file(with_padding(contents, bad))); }).find("padding"),
+              std::string::npos)
+        << bad;
+}
+
+TEST_F(NetworkTest, WhatLiesBehindTheLastTapIsNeitherReadNorRun) {
+  SafeTensors contents = with_layers(R"([{"op": "conv", "weights": "a"}, {"op": "tap"}, {"op": "avg_pool"},
+                                         {"op": "conv", "weights": "b"}, {"op": "conv", "weights": "none"}])");
+  contents.tensors["b.bias"] = at::full({5}, std::numeric_limits<double>::quiet_NaN(), at::kFloat);
+  const Network network = Network::load(file(contents));
+  EXPECT_EQ(network.minimum_resolution(), 2) << "that of the first convolution";
+  EXPECT_EQ(network.features(random_image(8)).size(), 1u);
+}
+
 TEST_F(NetworkTest, TellsItsChannelsAndTheSmallestImageItTakes) {
   const Network network = Network::load(file(small_network()));
   EXPECT_EQ(network.feature_channels(), (std::vector<std::int64_t>{4, 2, 3}));

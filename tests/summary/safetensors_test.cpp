@@ -65,7 +65,8 @@ TEST_F(SafeTensorsFile, RefusesEveryMalformedFileInASentenceThatSaysWhy) {
   const Malformed cases[] = {
       {"an empty file", "", "too short"},
       {"a truncated length", "\x10\0\0", "too short"},
-      {"a truncated header", with_length(good.size(), good.substr(0, 20)), "neither in the safetensors format"},
+      {"a truncated header", with_length(good.size(), good.substr(0, 20)),
+       "neither in the safetensors format"},
       {"a huge header length", with_length(~0ull, good), "neither in the safetensors format"},
       {"a header length one byte past the end", with_length(good.size() + 25, good + std::string(24, '\0')),
        "neither in the safetensors format"},
