@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 15> kImageExtensions{".jpg", ".jpeg", ".png",  ".tif", ".tiff",
-                                                            ".exr", ".hdr",  ".webp", ".bmp", ".tga",
-                                                            ".dng", ".heic", ".ppm",  ".jp2", ".gif"};
+/// What load_photo() reads; a file with another name may still be dropped or typed in.
+constexpr std::array<std::string_view, 12> kImageExtensions{".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr",
+                                                            ".hdr", ".webp", ".bmp", ".ppm", ".jp2",  ".j2k"};
 
 }  // namespace
 

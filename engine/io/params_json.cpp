@@ -19,13 +19,6 @@ std::string known_names(const ParameterTable& table) {
   return names;
 }
 
-template <typename Named>
-std::optional<std::size_t> find(const std::vector<Named>& parameters, const std::string& name) {
-  const auto found = std::ranges::find(parameters, name, &Named::name);
-  if (found == parameters.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - parameters.begin());
-}
-
 /// Shortest text that reads back as the same double: a value just beyond a bound must not look like it.
 std::string number(double value) {
   char text[32];
@@ -44,7 +37,7 @@ std::string params_to_json(const ParameterTable& table, const ParameterValues& v
 
 void set_parameter(const ParameterTable& table, const std::string& name, double value,
                    ParameterValues& values) {
-  if (const auto index = find(table.continuous, name)) {
+  if (const auto index = table.find_continuous(name)) {
     const TruncatedNormal& prior = table.continuous[*index].prior;
     if (!(value >= prior.low && value <= prior.high))
       throw UserError("The parameter " + name + " = " + number(value) + " is out of range: " +
@@ -52,7 +45,7 @@ void set_parameter(const ParameterTable& table, const std::string& name, double 
     values.continuous[*index] = value;
     return;
   }
-  if (const auto index = find(table.discrete, name)) {
+  if (const auto index = table.find_discrete(name)) {
     const auto levels = static_cast<double>(table.discrete[*index].levels.size());
     if (!(value >= 0 && value < levels && value == std::floor(value)))
       throw UserError("The choice " + name + " = " + number(value) + " does not exist: " + table.material +

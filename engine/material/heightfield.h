@@ -11,18 +11,7 @@ at::Tensor heightfield_normals(const at::Tensor& height, double pixel_cm);
 
 /// The same for a heightfield that goes on beyond the image: wrapping around would cut a seam along two
 /// borders.
-/// @param height [n + 1, n + 1] with neighbours, as look_up() returns it   @return [3, n, n]
+/// @param height [n + 1, n + 1] with neighbours, as look_up() (look_up.h) returns it   @return [3, n, n]
 at::Tensor open_normals(const at::Tensor& height, double pixel_cm);
-
-/// Looks a periodic map up bilinearly at ((pixel coordinate in [-1,1]) + shift) * scale, so that scale < 1
-/// magnifies (models.md "Capture"). Differentiable in scale and shift.
-/// @param map     [1, c, m + 2, m + 2] with its border (irregularities.h)
-/// @param scale, shift_x, shift_y  scalars
-/// @return    [c, n + 1, n + 1]: the image with its neighbours, the row above it and the column to its right
-at::Tensor look_up(const at::Tensor& map, const at::Tensor& scale, const at::Tensor& shift_x,
-                   const at::Tensor& shift_y, int resolution);
-
-/// The image itself of planes with neighbours. @param planes [..., n + 1, n + 1]   @return [..., n, n]
-at::Tensor without_neighbours(const at::Tensor& planes);
 
 }  // namespace patina

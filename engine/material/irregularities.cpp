@@ -1,8 +1,6 @@
 #include "engine/material/irregularities.h"
 
-#include <ATen/ops/cat.h>
 #include <ATen/ops/empty.h>
-#include <ATen/ops/pad.h>
 #include <c10/core/InferenceMode.h>
 
 #include <array>
@@ -52,24 +50,22 @@ Phasors make_phasors(std::uint64_t seed, int n, at::ScalarType type) {
   return phasors;
 }
 
-at::Tensor with_border(const at::Tensor& map) { return at::pad(map, {1, 1, 1, 1}, "circular"); }
-
 }  // namespace
 
 struct Irregularities::Cache {
   std::uint64_t seed;
   std::mutex mutex;
   std::map<int, Phasors> phasors;
-  std::array<at::Tensor, kMapChoices> noise, cells;
-  std::array<at::Tensor, kMapChoices * kMapChoices> cells_and_noise;
+  std::array<MipMap, kMapChoices> noise, cells;
+  std::array<MipMap, kMapChoices * kMapChoices> cells_and_noise;
 
   /// The value kept at `place`, made now if there is none. A tensor born in inference mode could never serve
   /// a gradient.
   template <typename Make>
-  at::Tensor keep(at::Tensor& place, Make&& make) {
+  MipMap keep(MipMap& place, Make&& make) {
     const std::lock_guard lock(mutex);
     const c10::InferenceMode normal_mode(false);
-    if (!place.defined()) place = make();
+    if (place.levels.empty()) place = make();
     return place;
   }
 };
@@ -92,24 +88,24 @@ Phasors Irregularities::phasors(int n, at::ScalarType type) const {
   return cache_->phasors.emplace(n, make_phasors<float>(cache_->seed, n, type)).first->second;
 }
 
-at::Tensor Irregularities::noise(int choice) const {
+MipMap Irregularities::noise(int choice) const {
   assert(choice >= 0 && choice < kMapChoices);
   const auto i = static_cast<std::size_t>(choice);
   return cache_->keep(cache_->noise[i],
-                      [&] { return with_border(make_noise_map(cache_->seed, kNoise + i, kMapSize)); });
+                      [&] { return make_mip_map(make_noise_map(cache_->seed, kNoise + i, kMapSize)); });
 }
 
-at::Tensor Irregularities::cells(int choice) const {
+MipMap Irregularities::cells(int choice) const {
   assert(choice >= 0 && choice < kMapChoices);
   const auto i = static_cast<std::size_t>(choice);
   return cache_->keep(cache_->cells[i],
-                      [&] { return with_border(make_cell_map(cache_->seed, kCells + i, kMapSize)); });
+                      [&] { return make_mip_map(make_cell_map(cache_->seed, kCells + i, kMapSize)); });
 }
 
-at::Tensor Irregularities::cells_and_noise(int cell_choice, int noise_choice) const {
-  const at::Tensor cell_map = cells(cell_choice), noise_map = noise(noise_choice);
+MipMap Irregularities::cells_and_noise(int cell_choice, int noise_choice) const {
+  const MipMap cell_map = cells(cell_choice), noise_map = noise(noise_choice);
   const auto i = static_cast<std::size_t>(cell_choice * kMapChoices + noise_choice);
-  return cache_->keep(cache_->cells_and_noise[i], [&] { return at::cat({cell_map, noise_map}, 1); });
+  return cache_->keep(cache_->cells_and_noise[i], [&] { return stack_channels(cell_map, noise_map); });
 }
 
 }  // namespace patina

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "engine/material/look_up.h"
+
 namespace patina {
 
 /// exp(i phase(f)) of independent uniform phases, one per integer frequency f, as seen from the centre of the
@@ -17,12 +19,10 @@ struct Phasors {
 
 /// The random input z of every material, all of it a pure function of one seed: where the bumps, cells and
 /// flakes lie. Made on first use and kept, also for use under gradients; safe to use from several threads.
-///
-/// A map spans [-1,1] x [-1,1], repeats, and carries one texel of that repetition on every side, so that a
-/// bilinear look-up can cross the seam: [1, channels, kMapSize + 2, kMapSize + 2], float32.
 class Irregularities {
  public:
-  static constexpr int kMapSize = 1024;  ///< texels a side of a generated map, its border left out
+  static constexpr int kMapSize =
+      1024;  ///< texels a side of a generated map, the finest level, its border left out
   static constexpr int kMapChoices = 3;  ///< how many different noise and cell maps there are to choose from
 
   explicit Irregularities(std::uint64_t seed);
@@ -34,14 +34,14 @@ class Irregularities {
   /// @param type  float32, or float64
   Phasors phasors(int n, at::ScalarType type = at::kFloat) const;
 
-  /// Fractal noise in [0,1], one channel; choice in [0, kMapChoices).
-  at::Tensor noise(int choice) const;
+  /// Fractal noise in [0,1], one channel, float32; choice in [0, kMapChoices).
+  MipMap noise(int choice) const;
 
-  /// Voronoi cells: 0 on the edges, 1 inside, one channel; choice in [0, kMapChoices).
-  at::Tensor cells(int choice) const;
+  /// Voronoi cells: 0 on the edges, 1 inside, one channel, float32; choice in [0, kMapChoices).
+  MipMap cells(int choice) const;
 
   /// cells(cell_choice) and noise(noise_choice) as the two channels of one map.
-  at::Tensor cells_and_noise(int cell_choice, int noise_choice) const;
+  MipMap cells_and_noise(int cell_choice, int noise_choice) const;
 
  private:
   struct Cache;

@@ -4,13 +4,15 @@
 #include <ATen/ops/hardtanh.h>
 
 #include "engine/material/heightfield.h"
+#include "engine/material/look_up.h"
 
 namespace patina {
 
 Signature Leather::signature() {
   return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "rough_var", "height", "power", "scale",
            "noise_scale", "shift_x", "shift_y", "iSigma"},
-          {{"cells", Irregularities::kMapChoices}, {"noise", Irregularities::kMapChoices}}};
+          {{"cells", Irregularities::kMapChoices}, {"noise", Irregularities::kMapChoices}},
+          {"scale", "shift_x", "shift_y"}};
 }
 
 Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, const Irregularities& z,

@@ -21,6 +21,7 @@ struct Signature {
   };
   std::vector<std::string_view> parameters;
   std::vector<Choice> choices;
+  std::vector<std::string_view> jagged = {};  ///< those of the parameters that are (Parameter::jagged)
 };
 
 /// A procedural material: maps parameters and irregularities z to a surface. Implementations are

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ struct Parameter {
   std::string unit;         ///< "cm", "cycles/cm", "degrees" or "" for a plain number
   std::string description;  ///< one line
   TruncatedNormal prior;
+  bool jagged = false;  ///< a place in a random map: a small step is another surface (LogDensity::jagged)
 };
 
 /// A discrete parameter: a choice among named levels, all equally likely a priori.
@@ -39,8 +41,16 @@ struct ParameterTable {
   std::vector<DiscreteParameter> discrete;
   std::string summary = "gram";  ///< what its renders are compared by, unless a run says otherwise
 
-  std::optional<std::size_t> find_continuous(std::string_view name) const;
-  std::optional<std::size_t> find_discrete(std::string_view name) const;
+  std::optional<std::size_t> find_continuous(std::string_view name) const { return find(continuous, name); }
+  std::optional<std::size_t> find_discrete(std::string_view name) const { return find(discrete, name); }
+
+ private:
+  template <typename Named>
+  static std::optional<std::size_t> find(const std::vector<Named>& parameters, std::string_view name) {
+    const auto found = std::ranges::find(parameters, name, &Named::name);
+    if (found == parameters.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - parameters.begin());
+  }
 };
 
 /// One point of a material's parameter space, in parameter units; discrete entries are level indices.

@@ -1,5 +1,6 @@
 #include "engine/material/prior_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -29,6 +30,8 @@ class PriorFile {
       table.continuous.push_back(read_parameter(parameter));
     for (const Json& choice : list(json, "choices")) table.discrete.push_back(read_choice(choice));
     check(table, signature);
+    for (Parameter& parameter : table.continuous)
+      parameter.jagged = std::ranges::count(signature.jagged, parameter.name) > 0;
     return table;
   }
 

@@ -37,6 +37,12 @@ std::vector<int> ParameterSpace::discrete_levels() const {
   return levels;
 }
 
+std::vector<bool> ParameterSpace::jagged() const {
+  std::vector<bool> jagged;
+  for (const std::size_t i : free_) jagged.push_back(table_.continuous[i].jagged);
+  return jagged;
+}
+
 ParameterValues ParameterSpace::values(const Position& position) const {
   assert(position.continuous.size() == dimension());
   assert(position.discrete.size() == static_cast<Eigen::Index>(free_discrete_.size()));

@@ -25,6 +25,7 @@ class ParameterSpace {
   const ParameterTable& table() const { return table_; }  ///< with the priors in force
   Eigen::Index dimension() const { return static_cast<Eigen::Index>(free_.size()); }
   std::vector<int> discrete_levels() const;
+  std::vector<bool> jagged() const;  ///< of the free continuous ones
 
   ParameterValues values(const Position& position) const;
   Position position(const ParameterValues& values) const;

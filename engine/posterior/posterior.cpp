@@ -79,6 +79,8 @@ Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 
 std::vector<int> Posterior::discrete_levels() const { return parts_->space.discrete_levels(); }
 
+std::vector<bool> Posterior::jagged() const { return parts_->space.jagged(); }
+
 const ParameterTable& Posterior::table() const { return parts_->space.table(); }
 
 ParameterValues Posterior::values(const Position& position) const { return parts_->space.values(position); }
@@ -86,6 +88,17 @@ ParameterValues Posterior::values(const Position& position) const { return parts
 Position Posterior::position(const ParameterValues& values) const { return parts_->space.position(values); }
 
 Evaluation Posterior::evaluate(const Position& position) const {
+  Evaluation evaluation = evaluate_with_whole_gradient(position);
+  if (!std::isfinite(evaluation.log_density)) return evaluation;
+  const std::vector<bool> along = jagged();
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    if (along[i]) evaluation.gradient[k] = -position.continuous[k];
+  }
+  return evaluation;
+}
+
+Evaluation Posterior::evaluate_with_whole_gradient(const Position& position) const {
   if (!position.continuous.allFinite()) return outside_support(dimension());
   const ParameterValues values = parts_->space.values(position);
   at::Tensor parameters = at::tensor(values.continuous, at::kFloat);

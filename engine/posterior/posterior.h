@@ -21,9 +21,9 @@ struct PosteriorSettings {
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
-  // Set by hand, as in the paper, to how far its own fits of real photos stay from them: relative Gram distances of
-  // 0.14 to 0.39, mean colours 2 to 14 of 255 levels. That is the error of the model, which no parameters remove;
-  // much smaller values make a posterior of many separate peaks out of it.
+  // Set by hand, as in the paper, to how far its own fits of real photos stay from them: relative Gram
+  // distances of 0.14 to 0.39, mean colours 2 to 14 of 255 levels. That is the error of the model, which no
+  // parameters remove; much smaller values make a posterior of many separate peaks out of it.
   double gram_sigma = 0.2;   ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
   double mean_sigma = 0.03;  ///< sd of a regional mean's error, in display units (8 of 255 levels)
   std::map<std::string, double> fixed;  ///< parameters held at a value (discrete ones: a level index)
@@ -42,7 +42,13 @@ class Posterior final : public LogDensity {
 
   Eigen::Index dimension() const override;
   std::vector<int> discrete_levels() const override;
+  std::vector<bool> jagged() const override;
+
+  /// Along jagged coordinates the gradient is the prior's alone.
   Evaluation evaluate(const Position& position) const override;
+
+  /// The same with the whole gradient along every coordinate.
+  Evaluation evaluate_with_whole_gradient(const Position& position) const;
 
   /// All parameters, with the priors in force; fixed ones included.
   const ParameterTable& table() const;

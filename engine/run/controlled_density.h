@@ -13,6 +13,7 @@ class ControlledDensity final : public LogDensity {
 
   Eigen::Index dimension() const override { return target_.dimension(); }
   std::vector<int> discrete_levels() const override { return target_.discrete_levels(); }
+  std::vector<bool> jagged() const override { return target_.jagged(); }
   Evaluation evaluate(const Position& position) const override {
     control_.checkpoint();
     return target_.evaluate(position);

@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/map_search.h"
@@ -12,6 +13,10 @@ namespace {
 // directions, and far enough for the rounding of float32 gradients to drown in the difference.
 constexpr double kStep = 1e-2;
 constexpr double kSmallestCurvature = 0.25;
+
+// Along a jagged coordinate: as wide as the prior allows, down to where the density has fallen by so many
+// nats.
+constexpr double kWidestStep = 0.5, kSmallestWideStep = 0.01, kWideFall = 8;
 
 /// d grad / d x_i; one-sided where the other side has no density, zero where neither side has.
 Eigen::VectorXd hessian_column(const LogDensity& target, const Position& mode, const Evaluation& at_mode,
@@ -28,6 +33,26 @@ Eigen::VectorXd hessian_column(const LogDensity& target, const Position& mode, c
   return (right - left) / (has_above && has_below ? 2 * kStep : kStep);
 }
 
+/// The column of a jagged coordinate, over a step wider than the wrinkles: its own curvature from values, the
+/// rest from the change of the other gradients.
+Eigen::VectorXd jagged_column(const LogDensity& target, const Position& mode, const Evaluation& at_mode,
+                              Eigen::Index i) {
+  for (double step = kWidestStep;; step /= 2) {
+    const auto displaced = [&](double by) {
+      Position position = mode;
+      position.continuous[i] += by;
+      return evaluate_finite(target, position);
+    };
+    const Evaluation above = displaced(step), below = displaced(-step);
+    const double fall = at_mode.log_density - (above.log_density + below.log_density) / 2;
+    if (fall > kWideFall && step > kSmallestWideStep) continue;
+    if (!std::isfinite(fall)) return Eigen::VectorXd::Zero(mode.continuous.size());
+    Eigen::VectorXd column = (above.gradient - below.gradient) / (2 * step);
+    column[i] = -2 * fall / (step * step);
+    return column;
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode) {
@@ -35,6 +60,16 @@ Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mod
   const Evaluation at_mode = evaluate_finite(target, mode);
   Eigen::MatrixXd hessian(n, n);
   for (Eigen::Index i = 0; i < n; ++i) hessian.col(i) = hessian_column(target, mode, at_mode, i);
+  const std::vector<bool> jagged = target.jagged();
+  for (std::size_t i = 0; i < jagged.size(); ++i) {
+    if (!jagged[i]) continue;
+    const auto k = static_cast<Eigen::Index>(i);
+    Eigen::VectorXd column = jagged_column(target, mode, at_mode, k);
+    for (std::size_t j = 0; j < jagged.size(); ++j)
+      if (jagged[j] && j != i) column[static_cast<Eigen::Index>(j)] = 0;
+    hessian.col(k) = column;
+    hessian.row(k) = column.transpose();
+  }
   const Eigen::MatrixXd curvature = -(hessian + hessian.transpose()) / 2;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(curvature);
   const Eigen::VectorXd variances = spectrum.eigenvalues().cwiseMax(kSmallestCurvature).cwiseInverse();

@@ -16,7 +16,12 @@ namespace patina {
 namespace {
 
 constexpr double kSameBasin = 0.3;  // prior standard deviations
-constexpr double kCostRatio = 4;    // of an evaluation on the next finer target: twice the pixels a side
+
+// The walk along jagged coordinates, in prior standard deviations and nats.
+constexpr int kWalkRounds = 5, kStepsPerRound = 6;
+constexpr double kWidestWalk = 0.5, kWalkNarrowing = 0.6, kNearlyAsGood = 5;
+
+constexpr double kCostRatio = 4;  // of an evaluation on the next finer target: twice the pixels a side
 
 bool same_basin(const Position& a, const Position& b) {
   return a.discrete == b.discrete && (a.continuous - b.continuous).norm() <= kSameBasin;
@@ -44,9 +49,14 @@ std::vector<OptimizerResult> distinct(const std::vector<OptimizerResult>& result
 class Search {
  public:
   Search(const std::vector<const LogDensity*>& targets, Rng& rng, const MapSearchSettings& settings)
-      : targets_(targets), rng_(rng), settings_(settings), levels_(targets.front()->discrete_levels()) {
+      : targets_(targets),
+        rng_(rng),
+        settings_(settings),
+        levels_(targets.front()->discrete_levels()),
+        jagged_(targets.front()->jagged()) {
     total_ = settings.prior_draws + 1 + settings.descents * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
+    if (has_jagged()) total_ += settings.finalists * kWalkRounds * short_climb();
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * std::pow(kCostRatio, i);
   }
@@ -58,6 +68,7 @@ class Search {
     // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
     std::vector<OptimizerResult> finalists = distinct(results, finalist_count());
     for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
+    if (has_jagged()) walk_all(finalists);
     results.insert(results.end(), finalists.begin(), finalists.end());
     sort_best_first(results);
     results = distinct(results, finalist_count());
@@ -147,6 +158,46 @@ class Search {
     }
   }
 
+  bool has_jagged() const { return std::ranges::count(jagged_, true) > 0; }
+
+  void walk_all(std::vector<OptimizerResult>& results) {
+    std::vector<Eigen::MatrixXd>
+        steps;  // drawn before the threads start, in an order that is always the same
+    for (std::size_t i = 0; i < results.size(); ++i) steps.push_back(jagged_steps());
+    for_all(results.size(), [&](std::size_t i) { walk(results[i], steps[i]); });
+  }
+
+  /// A step a column, narrower from round to round; zero along coordinates that are not jagged.
+  Eigen::MatrixXd jagged_steps() {
+    Eigen::MatrixXd steps(targets_.front()->dimension(), kWalkRounds * kStepsPerRound);
+    for (int i = 0; i < steps.cols(); ++i) {
+      const double spread = kWidestWalk * std::pow(kWalkNarrowing, i / kStepsPerRound);
+      steps.col(i) = spread * rng_.normals(steps.rows());
+    }
+    for (Eigen::Index k = 0; k < steps.rows(); ++k)
+      if (!jagged_[static_cast<std::size_t>(k)]) steps.row(k).setZero();
+    return steps;
+  }
+
+  void walk(OptimizerResult& result, const Eigen::MatrixXd& steps) {
+    for (int round = 0; round < kWalkRounds && !stopped(); ++round) {
+      std::vector<OptimizerResult> places;
+      for (int i = 0; i < kStepsPerRound && !stopped(); ++i) {
+        Position position = result.position;
+        position.continuous += steps.col(round * kStepsPerRound + i);
+        places.push_back(evaluate(*targets_.front(), std::move(position)));
+      }
+      if (places.empty() || stopped()) return;
+      sort_best_first(places);
+      // The other coordinates fit the place they were climbed at: what is nearly as good may end above.
+      if (places.front().evaluation.log_density > result.evaluation.log_density - kNearlyAsGood) {
+        OptimizerResult rival = climb(*targets_.front(), places.front().position, short_climb());
+        if (rival.evaluation.log_density > result.evaluation.log_density) result = std::move(rival);
+      }
+      report(result, short_climb());
+    }
+  }
+
   void report(const OptimizerResult& result, double work) {
     const std::lock_guard lock(mutex_);
     done_ += work;
@@ -166,6 +217,7 @@ class Search {
   Rng& rng_;
   const MapSearchSettings& settings_;
   std::vector<int> levels_;
+  std::vector<bool> jagged_;
   std::mutex mutex_;  ///< guards what report() keeps
   OptimizerResult best_;
   bool best_known_ = false;

@@ -30,12 +30,15 @@ struct MapSearchResult {
 };
 
 /// A global search for the posterior's mode, cheap first: targets are the same posterior from coarse to fine.
-/// Discrete coordinates are swept (every level of each, others held) around each finalist.
+/// Discrete coordinates are swept (every level of each, others held) around each finalist; jagged ones, which
+/// no climb moves, are walked at random in narrowing steps, with a short climb of the others from each better
+/// place.
 MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng,
                            const MapSearchSettings& settings = {});
 
 /// Laplace's approximation at a mode: the inverse of the negative Hessian (central differences of the
-/// gradient, symmetrised), eigenvalues of the Hessian floored at 0.25: a prior N(0, I) alone gives 1.
+/// gradient, symmetrised; along jagged coordinates wide differences of the value), eigenvalues of the Hessian
+/// floored at 0.25: a prior N(0, I) alone gives 1.
 Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode);
 
 }  // namespace patina

@@ -11,6 +11,7 @@
 #include <new>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
 
@@ -25,7 +26,7 @@ constexpr std::size_t kValueWindow = 5;  // iterations over which the value must
 class Climb {
  public:
   Climb(const LogDensity& target, const Position& start, const OptimizerSettings& settings)
-      : target_(target), settings_(settings), trial_(start) {
+      : target_(target), settings_(settings), jagged_(target.jagged()), trial_(start) {
     best_.position = start;
     best_.evaluation = {-kInfinity, Eigen::VectorXd::Zero(start.continuous.size())};
   }
@@ -77,6 +78,8 @@ class Climb {
       Evaluation evaluation = evaluate_finite(target_, trial_);
       ++best_.evaluations;
       Eigen::VectorXd::Map(gradient, n) = -evaluation.gradient;
+      for (std::size_t i = 0; i < jagged_.size(); ++i)
+        if (jagged_[i]) gradient[i] = 0;
       const double value = -evaluation.log_density;
       if (evaluation.log_density > best_.evaluation.log_density) {
         best_.position = trial_;
@@ -118,6 +121,7 @@ class Climb {
 
   const LogDensity& target_;
   const OptimizerSettings& settings_;
+  const std::vector<bool> jagged_;
   Position trial_;
   OptimizerResult best_;
   std::deque<double> recent_values_;

@@ -22,7 +22,8 @@ struct OptimizerResult {
 };
 
 /// Climbs to a local maximum over the continuous coordinates, discrete ones held: L-BFGS with a line search
-/// for the strong Wolfe conditions (liblbfgs). Never returns a point worse than the start.
+/// for the strong Wolfe conditions (liblbfgs). Jagged coordinates are held as well: no line search ends
+/// there. Never returns a point worse than the start.
 OptimizerResult maximize(const LogDensity& target, const Position& start,
                          const OptimizerSettings& settings = {});
 

@@ -9,7 +9,7 @@
 namespace patina {
 
 /// A test that runs patina-cli in an empty folder.
-class CliTest : public TemporaryFolder {
+class CliTest : public FolderTest {
  protected:
   Finished run(const std::vector<std::string>& arguments) const {
     return CliProcess(arguments, folder_).wait();

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 

@@ -16,7 +16,7 @@
 #include "gui/app.h"
 #include "gui/offscreen_window.h"
 #include "tests/gui/fake_source.h"
-#include "tests/gui/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace patina::testing {
 

@@ -6,7 +6,7 @@
 #include "engine/error.h"
 #include "gui/directory_listing.h"
 #include "gui/run_factory.h"
-#include "tests/gui/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

@@ -12,7 +12,7 @@
 #include "gui/session.h"
 #include "gui/shown_draw.h"
 #include "tests/gui/fake_source.h"
-#include "tests/gui/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "engine/io/chain_csv.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 
 /// Chain files for tests: two parameters and a choice; every number of a row follows from its index.
-class ChainCsvFile : public TemporaryFolder {
+class ChainCsvFile : public FolderTest {
  protected:
   static ChainCsvHeader header(int num_warmup, int num_samples) {
     return {"patina_leather", 3, 18446744073709551615u, num_warmup, num_samples, {"light", "rough", "cells"}};

@@ -4,12 +4,12 @@
 #include <sys/stat.h>
 
 #include "tests/io/file_size_limit.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
-class File : public TemporaryFolder {
+class File : public FolderTest {
  protected:
   int entries() const {
     return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder_), {}));

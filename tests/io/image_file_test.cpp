@@ -7,12 +7,12 @@
 
 #include "tests/io/file_size_limit.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
-class ImageFile : public TemporaryFolder {
+class ImageFile : public FolderTest {
  protected:
   int entries() const {
     return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder_), {}));

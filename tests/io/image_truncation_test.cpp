@@ -2,12 +2,12 @@
 #include "engine/io/image_format.h"
 #include "engine/io/photo.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
-using ImageTruncation = TemporaryFolder;
+using ImageTruncation = FolderTest;
 
 /// Coarse noise, so that an encoder cannot squeeze the image into its header.
 Image noise(int side) {

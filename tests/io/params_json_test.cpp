@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
@@ -16,7 +16,7 @@ const ParameterTable kTable{
     {{"cells", "", {"few", "some", "many"}}}};
 const ParameterValues kDefaults{{1500, 0.3}, {1}};
 
-class ParamsJson : public TemporaryFolder {
+class ParamsJson : public FolderTest {
  protected:
   ParameterValues read(const std::string& text) {
     return read_params(file("p.json", text), kTable, kDefaults);

@@ -4,7 +4,7 @@
 #include "engine/io/image_format.h"
 #include "engine/io/photo.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
@@ -13,7 +13,7 @@ constexpr float kEightBit = 0.51f / 255, kSixteenBit = 0.51f / 65535;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-class PhotoColour : public TemporaryFolder {
+class PhotoColour : public FolderTest {
  protected:
   Photo load(const std::string& name, const Image& image, const FileKind& kind = {}) {
     write_test_image(folder_ / name, image, kind);

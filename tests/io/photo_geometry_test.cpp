@@ -4,14 +4,14 @@
 #include "engine/io/file.h"
 #include "engine/io/photo.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
 constexpr float kEightBit = 0.51f / 255;
 
-using PhotoGeometry = TemporaryFolder;
+using PhotoGeometry = FolderTest;
 
 /// Where EXIF 2.32 (tag 274) says the stored pixel belongs when the photo is seen upright.
 Image upright(const Image& stored, int orientation) {

@@ -7,12 +7,12 @@
 #include "engine/io/image_format.h"
 #include "engine/io/photo.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
-class PhotoRefusal : public TemporaryFolder {
+class PhotoRefusal : public FolderTest {
  protected:
   std::string refusal(const std::filesystem::path& path) const {
     return user_error([&] { load_photo(path); });

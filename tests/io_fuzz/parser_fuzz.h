@@ -8,8 +8,8 @@
 #include <string>
 
 #include "engine/error.h"
+#include "tests/io/folder_test.h"
 #include "tests/io/images.h"
-#include "tests/io/temporary_folder.h"
 
 // Random changes of good files, under the address and undefined-behaviour sanitizers: every parser must take
 // them or throw UserError, and do nothing else. --gtest_random_seed=N tries other changes.
@@ -60,7 +60,7 @@ class Mutator {
   std::mt19937 generator_;
 };
 
-class ParserFuzz : public TemporaryFolder {
+class ParserFuzz : public FolderTest {
  protected:
   /// Feeds changed copies of good bytes to a parser, which must take some and refuse some: a fuzz that stops
   /// at the front door tries nothing.

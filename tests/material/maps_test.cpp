@@ -1,5 +1,6 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
+#include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/fft_fft2.h>
 #include <ATen/ops/max_pool2d.h>
 #include <ATen/ops/quantile.h>
@@ -12,7 +13,7 @@
 #include <cmath>
 #include <thread>
 
-#include "engine/material/heightfield.h"
+#include "engine/material/look_up.h"
 #include "materials_fixture.h"
 
 namespace patina {
@@ -41,7 +42,7 @@ void expect_quantiles(const at::Tensor& map, const std::array<double, 5>& expect
 
 TEST(NoiseMap, HasTheStatisticsOfThePapersNoise) {
   for (int choice = 0; choice < Irregularities::kMapChoices; ++choice) {
-    const at::Tensor map = inside(shared_irregularities().noise(choice));
+    const at::Tensor map = inside(shared_irregularities().noise(choice).finest());
     EXPECT_NEAR(map.mean().item<double>(), 0.365, 0.02);
     EXPECT_NEAR(map.std().item<double>(), 0.161, 0.02);
     expect_quantiles(map, {0.13, 0.25, 0.35, 0.47, 0.65});
@@ -56,7 +57,7 @@ TEST(NoiseMap, HasTheStatisticsOfThePapersNoise) {
 
 TEST(CellMap, HasTheStatisticsOfThePapersCells) {
   for (int choice = 0; choice < Irregularities::kMapChoices; ++choice) {
-    const at::Tensor map = inside(shared_irregularities().cells(choice));
+    const at::Tensor map = inside(shared_irregularities().cells(choice).finest());
     EXPECT_NEAR(map.mean().item<double>(), 0.52, 0.02);
     EXPECT_NEAR(map.std().item<double>(), 0.24, 0.02);
     expect_quantiles(map, {0.21, 0.34, 0.47, 0.71, 0.96});
@@ -65,7 +66,7 @@ TEST(CellMap, HasTheStatisticsOfThePapersCells) {
 }
 
 TEST(CellMap, HasSomeThousandsOfPeaks) {
-  const at::Tensor map = shared_irregularities().cells(0);
+  const at::Tensor map = shared_irregularities().cells(0).finest();
   const at::Tensor highest = at::max_pool2d(map, {9, 9}, {1, 1}, {4, 4});
   const auto peaks = (map == highest).sum().item<std::int64_t>();
   EXPECT_GT(peaks, 2500);
@@ -75,7 +76,7 @@ TEST(CellMap, HasSomeThousandsOfPeaks) {
 class EveryMap : public testing::TestWithParam<bool> {
  protected:
   at::Tensor map(const Irregularities& z, int choice) const {
-    return GetParam() ? z.cells(choice) : z.noise(choice);
+    return (GetParam() ? z.cells(choice) : z.noise(choice)).finest();
   }
 };
 
@@ -125,22 +126,23 @@ class LookUp : public testing::Test {
     const auto scalar = [](double x) { return at::tensor(x, at::kDouble); };
     return without_neighbours(look_up(map, scalar(scale), scalar(shift_x), scalar(shift_y), resolution)[0]);
   }
-  at::Tensor map = shared_irregularities().cells(0);
+  MipMap map = shared_irregularities().cells(0);
 };
 
 TEST_F(LookUp, AtTexelCentresIsTheMap) {
-  EXPECT_LT((at_scale(1, 0, 0, kSize) - inside(map)).abs().max().item<double>(), 1e-6);
+  EXPECT_LT((at_scale(1, 0, 0, kSize) - inside(map.finest())).abs().max().item<double>(), 1e-6);
 }
 
 TEST_F(LookUp, HalfTheScaleShowsTheMiddleHalf) {
-  const at::Tensor middle = inside(map).narrow(0, kSize / 4, kSize / 2).narrow(1, kSize / 4, kSize / 2);
+  const at::Tensor middle =
+      inside(map.finest()).narrow(0, kSize / 4, kSize / 2).narrow(1, kSize / 4, kSize / 2);
   EXPECT_LT((at_scale(0.5, 0, 0, kSize / 2) - middle).abs().max().item<double>(), 1e-6);
 }
 
 TEST_F(LookUp, PositiveShiftMovesTheWindowRightAndDown) {
   const double texel = 2.0 / kSize;
   const at::Tensor moved = at_scale(1, 3 * texel, 5 * texel, kSize);
-  const at::Tensor expected = inside(map).roll({-5, -3}, {0, 1});
+  const at::Tensor expected = inside(map.finest()).roll({-5, -3}, {0, 1});
   EXPECT_LT((moved - expected).abs().max().item<double>(), 1e-6);
 }
 
@@ -162,8 +164,40 @@ TEST_F(LookUp, RepeatsAfterAWholeMap) {
 TEST_F(LookUp, BetweenTexelsIsLinear) {
   const double texel = 2.0 / kSize;
   const at::Tensor between = at_scale(1, 0.25 * texel, 0, kSize);
-  const at::Tensor expected = inside(map) * 0.75 + inside(map).roll({-1}, {1}) * 0.25;
+  const at::Tensor expected = inside(map.finest()) * 0.75 + inside(map.finest()).roll({-1}, {1}) * 0.25;
   EXPECT_LT((between - expected).abs().max().item<double>(), 1e-6);
+}
+
+TEST_F(LookUp, OfPixelsWiderThanTexelsAveragesThem) {
+  for (const int texels_per_pixel : {2, 4, 16}) {
+    const at::Tensor seen = at_scale(1, 0, 0, kSize / texels_per_pixel);
+    const at::Tensor averaged =
+        at::avg_pool2d(inside(map.finest()).unsqueeze(0), {texels_per_pixel, texels_per_pixel})[0];
+    EXPECT_LT((seen - averaged).abs().max().item<double>(), 1e-5) << texels_per_pixel;
+  }
+}
+
+TEST_F(LookUp, GoesOverFromLevelToLevelWithoutAJump) {
+  for (const double scale : {0.5, 1.0})
+    for (const int resolution : {64, 256}) {
+      const at::Tensor below = at_scale(scale * (1 - 1e-7), 0, 0, resolution),
+                       above = at_scale(scale * (1 + 1e-7), 0, 0, resolution);
+      EXPECT_LT((below - above).abs().max().item<double>(), 1e-4) << scale << " at " << resolution;
+    }
+}
+
+// The reason for the levels: between two pixels lies little more detail than a straight line shows.
+TEST_F(LookUp, ShiftedByHalfAPixelIsNearlyWhatInterpolationGives) {
+  const int resolution = 64;
+  const double pixel = 2.0 / resolution;
+  const auto surprise = [&] {
+    const at::Tensor here = at_scale(1, 0, 0, resolution), next = at_scale(1, pixel, 0, resolution);
+    return (at_scale(1, pixel / 2, 0, resolution) - (here + next) / 2).square().mean().item<double>();
+  };
+  const double filtered = surprise();
+  map.levels.resize(1);
+  const double point_sampled = surprise();
+  EXPECT_LT(filtered, 0.05 * point_sampled);
 }
 
 TEST(Irregularities, MadeInInferenceModeStillServeGradients) {

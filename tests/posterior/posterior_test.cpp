@@ -38,11 +38,6 @@ Position at_prior_draw(const Posterior& posterior, Rng& rng, double spread) {
   return position;
 }
 
-/// Where a map is looked at. Point-sampled texels make the log density rough in these, at every step that
-/// float32 can resolve; tests/material/gradient_test.cpp checks their gradients through the render in double
-/// precision.
-bool is_look_up(const std::string& name) { return name == "scale" || name.starts_with("shift_"); }
-
 class EveryMaterial : public testing::TestWithParam<std::string> {};
 
 // The whole chain at once: transform, material, shading, display curve, network, Gram, error model. The
@@ -51,28 +46,42 @@ class EveryMaterial : public testing::TestWithParam<std::string> {};
 TEST_P(EveryMaterial, LogDensityGradientAgreesWithFiniteDifferences) {
   const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
   Rng rng(7);
+  const std::vector<bool> jagged = posterior.jagged();
   std::vector<int> agreements(static_cast<std::size_t>(posterior.dimension()));
   constexpr int kPoints = 5;
   for (int point = 0; point < kPoints; ++point) {
     const Position centre = at_prior_draw(posterior, rng, 0.7);
-    const Evaluation evaluation = posterior.evaluate(centre);
+    const Evaluation evaluation = posterior.evaluate_with_whole_gradient(centre);
     ASSERT_TRUE(std::isfinite(evaluation.log_density));
     const double scale = 1 + evaluation.gradient.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < posterior.dimension(); ++i) {
-      const double h = 3e-3;
+      // Along jagged coordinates a step must be narrower than the wrinkles, and rounding shows more.
+      const bool wrinkled = jagged[static_cast<std::size_t>(i)];
+      const double h = wrinkled ? 5e-5 : 3e-3, tolerance = wrinkled ? 0.1 : 0.03;
       Position up = centre, down = centre;
       up.continuous[i] += h, down.continuous[i] -= h;
       const double difference =
           (posterior.evaluate(up).log_density - posterior.evaluate(down).log_density) / (2 * h);
       const double error = std::abs(difference - evaluation.gradient[i]);
-      agreements[static_cast<std::size_t>(i)] += error < 0.03 * std::abs(difference) + 0.003 * scale;
+      agreements[static_cast<std::size_t>(i)] +=
+          error < tolerance * std::abs(difference) + 0.1 * tolerance * scale;
     }
   }
   std::vector<std::string> free;
   for (const Parameter& parameter : posterior.table().continuous) free.push_back(parameter.name);
-  for (std::size_t i = 0; i < agreements.size(); ++i) {
-    if (is_look_up(free[i])) continue;
-    EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+  for (std::size_t i = 0; i < agreements.size(); ++i) EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+}
+
+TEST_P(EveryMaterial, GradientAlongJaggedCoordinatesIsThePriorsAndElsewhereWhole) {
+  const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
+  Rng rng(8);
+  const Position position = at_prior_draw(posterior, rng, 0.7);
+  const Evaluation given = posterior.evaluate(position),
+                   whole = posterior.evaluate_with_whole_gradient(position);
+  EXPECT_EQ(given.log_density, whole.log_density);
+  for (Eigen::Index i = 0; i < posterior.dimension(); ++i) {
+    const bool jagged = posterior.jagged()[static_cast<std::size_t>(i)];
+    EXPECT_EQ(given.gradient[i], jagged ? -position.continuous[i] : whole.gradient[i]);
   }
 }
 

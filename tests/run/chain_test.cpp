@@ -37,7 +37,7 @@ class Gaussian final : public LogDensity {
 };
 
 /// Chains on a Gaussian, as a run would make them.
-class ChainTest : public TemporaryFolder {
+class ChainTest : public FolderTest {
  protected:
   ChainTest() {
     settings_.chains = 3;
@@ -138,14 +138,12 @@ TEST_F(ChainTest, ARejectedProposalRepeatsTheDraw) {
 }
 
 TEST_F(ChainTest, ATargetThatThrowsEndsAllChainsWithItsReasonAndWholeFiles) {
-  std::atomic<int> evaluations{0};
-  target_.before = [&] {
-    const int evaluation = ++evaluations;
-    if (evaluation == 500) throw std::runtime_error("out of memory\nsecond line");
-    // The other chains go on until they hear of it; they must not be done by then.
-    if (evaluation > 500) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  };
   RunShared shared({});
+  std::atomic<int> evaluations{0}, late{0};
+  target_.before = [&] {
+    if (!shared.failure().empty()) ++late;
+    if (++evaluations == 500) throw std::runtime_error("out of memory\nsecond line");
+  };
   const std::vector<Draw> draws = run(shared);
   EXPECT_EQ(shared.failure(), "out of memory");
   std::size_t rows = 0;
@@ -155,7 +153,8 @@ TEST_F(ChainTest, ATargetThatThrowsEndsAllChainsWithItsReasonAndWholeFiles) {
     EXPECT_TRUE(reader.closed());
   }
   EXPECT_EQ(rows, draws.size());
-  EXPECT_LT(rows, 3u * (settings_.warmup + settings_.draws));
+  // The other two may each have been on the way into an evaluation when the reason was put down.
+  EXPECT_LE(late, 2);
 }
 
 TEST_F(ChainTest, WithoutWarmUpEveryRowIsADraw) {

@@ -10,10 +10,10 @@
 namespace patina {
 namespace {
 
-class ExportDrawTest : public TemporaryFolder {
+class ExportDrawTest : public FolderTest {
  protected:
   void SetUp() override {
-    TemporaryFolder::SetUp();
+    FolderTest::SetUp();
     request_.material = "leather";
     request_.z_seed = 4;
     request_.capture = {10, 12};

@@ -5,14 +5,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-class ManifestTest : public TemporaryFolder {
+class ManifestTest : public FolderTest {
  protected:
   static Manifest full() {
     Manifest m;

@@ -34,7 +34,7 @@ inline Photo photo_of(Image image) {
 }
 
 /// Runs on a photo of the material bump that is small enough to take milliseconds a draw.
-class RunTest : public TemporaryFolder {
+class RunTest : public FolderTest {
  protected:
   static Photo photo() {
     static const Image image = [] {

@@ -40,6 +40,23 @@ TEST(SearchMap, finds_the_taller_of_two_modes_and_the_best_levels) {
   }
 }
 
+/// Correlated, and narrow along the jagged coordinate.
+JaggedTarget jagged_target() {
+  Eigen::Matrix3d covariance = Eigen::Vector3d(0.02, 0.1, 0.1).asDiagonal();
+  covariance(0, 1) = covariance(1, 0) = 0.02;
+  return {Eigen::Vector3d(1.2, 0.5, -0.5), covariance};
+}
+
+TEST(SearchMap, walks_along_jagged_coordinates_where_no_gradient_leads) {
+  const JaggedTarget target = jagged_target();
+  for (const int seed : {1, 2, 3, 4, 5}) {
+    Rng rng(seed);
+    const OptimizerResult best = search_map({&target}, rng).best;
+    // The peak is half a nat high, on a wrinkle: 1 nat below are places some posterior sd / 2 away.
+    EXPECT_GT(best.evaluation.log_density, -0.5) << "seed " << seed;
+  }
+}
+
 TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
   const FunctionTarget target = two_modes();
   MapSearchSettings settings;
@@ -188,6 +205,16 @@ TEST(LaplaceCovariance, looks_to_one_side_at_the_edge_of_the_support) {
     return Evaluation{-x - 2 * x * x, Eigen::VectorXd::Constant(1, -1 - 4 * x)};
   });
   EXPECT_NEAR(laplace_covariance(half, {Eigen::VectorXd::Zero(1), {}})(0, 0), 0.25, 1e-9);
+}
+
+TEST(LaplaceCovariance, measures_jagged_coordinates_over_their_wrinkles) {
+  const JaggedTarget target = jagged_target();
+  Eigen::Vector3d mode(1.2, 0.5, -0.5);
+  const Eigen::MatrixXd found = laplace_covariance(target, {mode, {}});
+  Eigen::Matrix3d expected = Eigen::Vector3d(0.02, 0.1, 0.1).asDiagonal();
+  expected(0, 1) = expected(1, 0) = 0.02;
+  EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_NEAR(found(0, 0) / 0.02, 1, 0.3);
 }
 
 }  // namespace

@@ -118,5 +118,12 @@ TEST(Maximize, keeps_discrete_coordinates_and_copes_with_none_continuous) {
   EXPECT_EQ(result.evaluation.log_density, 2);
 }
 
+TEST(Maximize, holds_jagged_coordinates) {
+  const JaggedTarget target(Eigen::Vector2d(1, 2), Eigen::Matrix2d::Identity());
+  const OptimizerResult found = maximize(target, {Eigen::Vector2d(0.3, 0), {}});
+  EXPECT_EQ(found.position.continuous[0], 0.3);
+  EXPECT_NEAR(found.position.continuous[1], 2, 1e-3);
+}
+
 }  // namespace
 }  // namespace patina

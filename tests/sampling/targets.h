@@ -51,6 +51,29 @@ class FunctionTarget final : public LogDensity {
   std::vector<int> levels_;
 };
 
+/// N(mean, covariance) with wrinkles along its first coordinate, about a nat high and a thousandth wide, of
+/// which the gradient there says nothing: it is N(0, 1)'s.
+class JaggedTarget final : public LogDensity {
+ public:
+  JaggedTarget(const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance) : smooth_(mean, covariance) {}
+
+  Eigen::Index dimension() const override { return smooth_.dimension(); }
+  std::vector<bool> jagged() const override {
+    std::vector<bool> jagged(static_cast<std::size_t>(dimension()), false);
+    jagged.front() = true;
+    return jagged;
+  }
+  Evaluation evaluate(const Position& position) const override {
+    Evaluation evaluation = smooth_.evaluate(position);
+    evaluation.log_density += 0.5 * std::sin(1000 * position.continuous[0]);
+    evaluation.gradient[0] = -position.continuous[0];
+    return evaluation;
+  }
+
+ private:
+  GaussianTarget smooth_;
+};
+
 inline ChainState state_at(const LogDensity& target, Position position) {
   Evaluation evaluation = target.evaluate(position);
   return {std::move(position), std::move(evaluation)};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,22 +11,13 @@
 #include <string_view>
 
 #include "engine/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace patina {
 
-/// A test with an empty folder of its own, removed afterwards.
-class TemporaryFolder : public ::testing::Test {
+/// A test with an empty folder of its own.
+class FolderTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "patina-io-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   /// Writes bytes to a file in the folder; returns its path.
   std::filesystem::path file(const std::string& name, std::string_view bytes) const {
     std::filesystem::remove(folder_ / name);  // some file systems wait for the disk when one is overwritten
@@ -35,7 +25,11 @@ class TemporaryFolder : public ::testing::Test {
     return folder_ / name;
   }
 
-  std::filesystem::path folder_;
+ private:
+  testing::TemporaryFolder temporary_;
+
+ protected:
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// All bytes of a file, by another route than the engine's.

@@ -11,7 +11,7 @@ namespace patina::testing {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "patina-gui-XXXXXX").string();
+    std::string pattern = (std::filesystem::temp_directory_path() / "patina-test-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = pattern;
   }
