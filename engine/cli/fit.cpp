@@ -137,8 +137,11 @@ void add_fit(CLI::App& app, Command& chosen) {
   command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();
   command.add_option("--out", options->out, "Run directory to make")->type_name("RUN_DIR")->required();
   command.add_option("--material", settings.material, "The material's name")->type_name("NAME");
-  command.add_option("--summary", settings.summary, "What renders and photo are compared by: gram, means")
-      ->capture_default_str();
+  command
+      .add_option("--summary", settings.summary,
+                  "What renders and photo are compared by: gram, rings, bands, means, or several joined by + "
+                  "(default: the material's)")
+      ->type_name("NAME");
   command.add_option("--network", settings.network, "Weights of the summary's network (default: bundled)")
       ->type_name("FILE");
   command.add_option("--kernel", settings.kernel, "Transition of the chains")->capture_default_str();

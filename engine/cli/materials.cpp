@@ -33,6 +33,7 @@ std::string line_of(const DiscreteParameter& parameter) {
 
 std::string describe(const ParameterTable& table) {
   std::string text = table.material + ": " + table.description + "\n";
+  text += "  summary: " + table.summary + "\n";
   text += "  parameter        mean       sd      low     high  unit\n";
   for (const Parameter& parameter : table.continuous) text += line_of(parameter);
   for (const DiscreteParameter& parameter : table.discrete) text += line_of(parameter);

@@ -39,6 +39,7 @@ struct ParameterTable {
   std::string description;  ///< one line
   std::vector<Parameter> continuous;
   std::vector<DiscreteParameter> discrete;
+  std::string summary = "gram";  ///< what its renders are compared by, unless a run says otherwise
 
   std::optional<std::size_t> find_continuous(std::string_view name) const { return find(continuous, name); }
   std::optional<std::size_t> find_discrete(std::string_view name) const { return find(discrete, name); }

@@ -25,6 +25,7 @@ class PriorFile {
     table.material = text(json, "material");
     if (table.material != file_.stem()) refuse("it is about '" + table.material + "'");
     table.description = text(json, "description");
+    if (json.contains("summary")) table.summary = text(json, "summary");
     for (const Json& parameter : list(json, "parameters"))
       table.continuous.push_back(read_parameter(parameter));
     for (const Json& choice : list(json, "choices")) table.discrete.push_back(read_choice(choice));

@@ -84,6 +84,7 @@ ParameterTable table(const Json& json) {
   ParameterTable table;
   table.material = text(json, "name");
   table.description = text(json, "description");
+  if (json.contains("summary")) table.summary = text(json, "summary");
   for (const Json& item : list(json, "continuous"))
     table.continuous.push_back(
         {text(item, "name"), text(item, "unit"), text(item, "description"), prior(field(item, "prior"))});

@@ -15,7 +15,8 @@ struct RunSettings {
   std::string material = "bump";
   Capture capture;
   int resolution = 256;  ///< pixels a side at which renders are compared with the photo
-  std::string summary = "gram";
+  /// Empty: the material's own; run.json holds the name in use.
+  std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "mala";
   int chains = 4;

@@ -22,6 +22,7 @@ Json table_json(const ParameterTable& table) {
         {{"name", parameter.name}, {"description", parameter.description}, {"levels", parameter.levels}});
   return {{"name", table.material},
           {"description", table.description},
+          {"summary", table.summary},
           {"continuous", continuous},
           {"discrete", discrete}};
 }

@@ -1,6 +1,7 @@
 #include "engine/summary/gram.h"
 
 #include <ATen/TensorOperators.h>
+#include <ATen/ops/cat.h>
 #include <ATen/ops/mm.h>
 #include <ATen/ops/triu_indices.h>
 #include <ATen/ops/where.h>
@@ -20,6 +21,20 @@ at::Tensor gram_vector(const at::Tensor& features) {
   const at::Tensor weights =
       at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(features.scalar_type());
   return gram.reshape({-1}).index_select(0, upper[0] * channels + upper[1]) * weights;
+}
+
+at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
+  std::vector<at::Tensor> parts;
+  for (const at::Tensor& features : network_.features(image)) parts.push_back(gram_vector(features));
+  return at::cat(parts);
+}
+
+std::vector<SummaryBlock> GramMatrices::blocks() const {
+  std::vector<SummaryBlock> blocks;
+  for (const std::int64_t channels : network_.feature_channels())
+    blocks.push_back(
+        {"gram " + std::to_string(blocks.size() + 1), channels * (channels + 1) / 2, ErrorScale::relative});
+  return blocks;
 }
 
 }  // namespace patina

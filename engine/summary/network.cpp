@@ -15,8 +15,9 @@ namespace patina {
 
 at::Tensor Network::Convolution::operator()(const at::Tensor& x) const {
   const std::int64_t pad = weight.size(2) / 2;
-  const at::Tensor padded = pad > 0 ? at::reflection_pad2d(x, {pad, pad, pad, pad}) : x;
-  const at::Tensor y = at::conv2d(padded, weight, bias);
+  const bool mirrored = reflect && pad > 0;
+  const at::Tensor y = at::conv2d(mirrored ? at::reflection_pad2d(x, {pad, pad, pad, pad}) : x, weight, bias,
+                                  /*stride=*/1, /*padding=*/mirrored ? 0 : pad);
   return relu ? at::relu(y) : y;
 }
 
@@ -63,7 +64,7 @@ int Network::minimum_resolution() const {
     if (layer.op == Op::avg_pool || layer.op == Op::max_pool) scale *= 2;
     smallest = std::max(smallest, scale);
     for (const Convolution& convolution : layer.convolutions)
-      smallest = std::max(smallest, scale * (convolution.weight.size(2) / 2 + 1));
+      if (convolution.reflect) smallest = std::max(smallest, scale * (convolution.weight.size(2) / 2 + 1));
   }
   return static_cast<int>(smallest);
 }

@@ -12,18 +12,22 @@ namespace patina {
 /// A small feed-forward convolutional network, described by its file. Safe to call from several threads.
 ///
 /// The file is a .safetensors file of float32 tensors whose metadata entry "patina_network" is JSON:
-///   {"format": 1, "name": "...", "mean": [r, g, b], "std": [r, g, b], "layers": [...]}
-/// The input, sRGB in [0,1], is normalised to (x - mean) / std. Layers run in order on a trunk:
+///   {"format": 1, "name": "...", "mean": [r, g, b], "std": [r, g, b], "padding": "reflect", "layers": [...]}
+/// The input, sRGB in [0,1], is normalised to (x - mean) / std. Layers run in order on a trunk, up to the
+/// last tap; what lies behind it is neither read nor run:
 ///   {"op": "conv", "weights": "NAME", "relu": true}
-///       trunk = [ReLU] conv(trunk) with NAME.weight [out, in, k, k], k odd, and NAME.bias [out]; reflection
-///       padding keeps the size
+///       trunk = [ReLU] conv(trunk) with NAME.weight [out, in, k, k], k odd, and NAME.bias [out]; padding, by
+///       reflection ("reflect", the default) or with zeros ("zero"), keeps the size
 ///   {"op": "avg_pool"} or {"op": "max_pool"}
 ///       2 x 2, stride 2; an odd last row or column is dropped
 ///   {"op": "tap", "weights": ["NAME", ...]}
 ///       one feature map of the summary: the trunk as it is, or the trunk sent through those convolutions,
 ///       each with ReLU, aside
+/// Or it is VGG-19 as torchvision or timm publish it (vgg19.h): a state dict as PyTorch checkpoint or
+/// .safetensors.
 class Network {
  public:
+  /// Reads only the tensors that its taps need.
   /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture
   static Network load(const std::filesystem::path& file);
 
@@ -41,6 +45,7 @@ class Network {
     at::Tensor weight;  ///< [out, in, k, k]
     at::Tensor bias;    ///< [out]
     bool relu = true;
+    bool reflect = true;  ///< padding by reflection, not with zeros
     at::Tensor operator()(const at::Tensor& x) const;
   };
   struct Layer {

@@ -4,32 +4,30 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.h"
 #include "engine/summary/network.h"
-#include "engine/summary/safetensors.h"
+#include "engine/summary/vgg19.h"
+#include "engine/summary/weights_file.h"
 
 namespace patina {
 
 /// Builds a Network from a file's tensors and its description, believing neither.
 class NetworkReader {
  public:
-  explicit NetworkReader(const std::filesystem::path& file)
-      : file_(file), contents_(read_safetensors(file)) {}
+  explicit NetworkReader(const std::filesystem::path& file) : file_(file) {}
 
   Network read() {
-    const auto found = contents_.metadata.find("patina_network");
-    if (found == contents_.metadata.end())
-      refuse("its metadata do not describe a network (entry patina_network)");
-    const auto json = nlohmann::json::parse(found->second, nullptr, false);
+    const auto json = nlohmann::json::parse(description(), nullptr, false);
     if (!json.is_object() || json.value("format", nlohmann::json()) != 1)
       refuse("its description is not of format 1");
     Network network;
     network.name_ = text(json, "name");
     network.mean_ = colour(json, "mean");
     network.std_ = colour(json, "std");
+    reflect_ = padding(json) == "reflect";
     if (!json.contains("layers") || !json["layers"].is_array() || json["layers"].size() > kMaxLayers)
       refuse("its description has no list of layers");
-    for (const auto& layer : json["layers"]) network.layers_.push_back(read_layer(layer));
+    const std::size_t needed = needed_layers(json["layers"]);
+    for (std::size_t i = 0; i < needed; ++i) network.layers_.push_back(read_layer(json["layers"][i]));
     if (taps_ == 0) refuse("its description has no tap");
     return network;
   }
@@ -41,9 +39,29 @@ class NetworkReader {
   static constexpr std::int64_t kMaxSide = 65;        // pixels, of a convolution's kernel
   static constexpr float kMinStd = 1e-3f;
 
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw UserError("The network file " + file_.filename().string() + " cannot be used: " + why +
-                    "; give another one or leave --network out.");
+  [[noreturn]] void refuse(const std::string& why) const { refuse_network(file_.path(), why); }
+
+  std::string description() const {
+    const TensorIndex& index = file_.index();
+    const auto found = index.metadata.find("patina_network");
+    if (found != index.metadata.end()) return found->second;
+    if (looks_like_vgg(index)) return describe_vgg19(file_.path(), index);
+    refuse("its metadata do not describe a network (entry patina_network), and it is no VGG-19");
+  }
+
+  /// Layers up to the last tap.
+  static std::size_t needed_layers(const nlohmann::json& layers) {
+    for (std::size_t count = layers.size(); count > 0; --count) {
+      const nlohmann::json& layer = layers[count - 1];
+      if (layer.is_object() && layer.value("op", nlohmann::json()) == "tap") return count;
+    }
+    return layers.size();
+  }
+
+  std::string padding(const nlohmann::json& json) const {
+    const nlohmann::json padding = json.value("padding", nlohmann::json("reflect"));
+    if (padding != "reflect" && padding != "zero") refuse("its padding is neither 'reflect' nor 'zero'");
+    return padding.get<std::string>();
   }
 
   std::string text(const nlohmann::json& json, const char* key) const {
@@ -70,27 +88,36 @@ class NetworkReader {
     return at::tensor(numbers, at::kFloat).view({1, 3, 1, 1});
   }
 
-  at::Tensor tensor(const std::string& name, std::int64_t dimensions) const {
-    const auto found = contents_.tensors.find(name);
-    if (found == contents_.tensors.end()) refuse("tensor '" + printable(name) + "' is missing");
-    if (found->second.dim() != dimensions)
+  const std::vector<std::int64_t>& shape(const std::string& name, std::size_t dimensions) const {
+    const auto found = file_.index().tensors.find(name);
+    if (found == file_.index().tensors.end()) refuse("tensor '" + printable(name) + "' is missing");
+    if (found->second.shape.size() != dimensions)
       refuse("tensor '" + printable(name) + "' has the wrong number of dimensions");
-    if (!at::isfinite(found->second).all().item<bool>())
-      refuse("tensor '" + printable(name) + "' has values that are not numbers");
-    return found->second;
+    return found->second.shape;
   }
 
-  Network::Convolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) const {
-    const at::Tensor weight = tensor(name + ".weight", 4), bias = tensor(name + ".bias", 1);
-    if (weight.size(1) != in_channels)
-      refuse("'" + printable(name) + "' takes " + std::to_string(weight.size(1)) + " channels where " +
+  /// The tensor as convolutions want it, read once, however often the description names it.
+  const at::Tensor& tensor(const std::string& name) {
+    at::Tensor& cached = tensors_[name];
+    if (cached.defined()) return cached;
+    const at::Tensor read = file_.read(name);
+    if (!at::isfinite(read).all().item<bool>())
+      refuse("tensor '" + printable(name) + "' has values that are not numbers");
+    cached = read.dim() == 4 ? read.contiguous(at::MemoryFormat::ChannelsLast) : read;
+    return cached;
+  }
+
+  Network::Convolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) {
+    const std::vector<std::int64_t>&weight = shape(name + ".weight", 4), &bias = shape(name + ".bias", 1);
+    if (weight[1] != in_channels)
+      refuse("'" + printable(name) + "' takes " + std::to_string(weight[1]) + " channels where " +
              std::to_string(in_channels) + " arrive");
-    if (weight.size(0) > kMaxChannels)
+    if (weight[0] > kMaxChannels)
       refuse("'" + printable(name) + "' makes more than " + std::to_string(kMaxChannels) + " channels");
-    if (weight.size(2) != weight.size(3) || weight.size(2) % 2 == 0 || weight.size(2) > kMaxSide)
+    if (weight[2] != weight[3] || weight[2] % 2 == 0 || weight[2] > kMaxSide)
       refuse("'" + printable(name) + "' is not an odd square of at most " + std::to_string(kMaxSide));
-    if (bias.size(0) != weight.size(0)) refuse("the bias of '" + printable(name) + "' has the wrong size");
-    return {weight.contiguous(at::MemoryFormat::ChannelsLast), bias, relu};
+    if (bias[0] != weight[0]) refuse("the bias of '" + printable(name) + "' has the wrong size");
+    return {tensor(name + ".weight"), tensor(name + ".bias"), relu, reflect_};
   }
 
   Network::Layer read_layer(const nlohmann::json& json) {
@@ -124,8 +151,9 @@ class NetworkReader {
     }
   }
 
-  std::filesystem::path file_;
-  SafeTensors contents_;
+  WeightsFile file_;
+  std::map<std::string, at::Tensor> tensors_;
+  bool reflect_ = true;
   std::int64_t trunk_channels_ = 3;
   int pools_ = 0;
   int taps_ = 0;

@@ -16,13 +16,10 @@ struct SafeTensors {
   std::map<std::string, std::string> metadata;
 };
 
-/// Reads a .safetensors file (8-byte little-endian header length, JSON header, raw data). Everything the
-/// header claims is checked against the file's size before anything is allocated.
+/// Reads all of a .safetensors file. Everything the header claims is checked against the file's size before
+/// anything is allocated.
 /// @throws UserError for a file that is not one, is larger than 600 MB, or holds a tensor that is not float32
 SafeTensors read_safetensors(const std::filesystem::path& file);
-
-/// A name from an untrusted file, fit for a one-line message: cut after 80 bytes, control characters as '?'.
-std::string printable(std::string name);
 
 /// Writes contiguous float32 tensors. @throws UserError if the file cannot be written
 void write_safetensors(const std::filesystem::path& file, const SafeTensors& contents);

@@ -3,64 +3,99 @@
 #include <ATen/ops/cat.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "engine/error.h"
+#include "engine/summary/bin_means.h"
 #include "engine/summary/gram.h"
-#include "engine/summary/network.h"
-#include "engine/summary/ring_means.h"
+#include "engine/summary/log_spectrum.h"
 
 namespace patina {
 namespace {
 
-/// "means": the mean colours of concentric rings alone.
-class MeansSummary final : public Summary {
- public:
-  at::Tensor operator()(const at::Tensor& image) const override { return rings_(image); }
-  std::vector<SummaryBlock> blocks() const override { return {{"ring means", 3 * RingMeans::kRings, false}}; }
-  int minimum_resolution() const override { return 2 * RingMeans::kRings; }
+using Part = std::shared_ptr<const Summary>;
 
- private:
-  RingMeans rings_;
-};
-
-/// "gram": Gram matrices of a network's features and ring means (paper section 4, "Neural summary function").
-class GramSummary final : public Summary {
+/// Summaries one after the other.
+class Composition final : public Summary {
  public:
-  explicit GramSummary(Network network) : network_(std::move(network)) {}
+  explicit Composition(std::vector<Part> parts) : parts_(std::move(parts)) {}
 
   at::Tensor operator()(const at::Tensor& image) const override {
-    std::vector<at::Tensor> parts;
-    for (const at::Tensor& features : network_.features(image)) parts.push_back(gram_vector(features));
-    parts.push_back(means_(image));
-    return at::cat(parts);
+    std::vector<at::Tensor> vectors;
+    for (const Part& part : parts_) vectors.push_back((*part)(image));
+    return at::cat(vectors);
   }
 
   std::vector<SummaryBlock> blocks() const override {
     std::vector<SummaryBlock> blocks;
-    for (const std::int64_t channels : network_.feature_channels())
-      blocks.push_back({"gram " + std::to_string(blocks.size() + 1), channels * (channels + 1) / 2, true});
-    for (const SummaryBlock& block : means_.blocks()) blocks.push_back(block);
+    for (const Part& part : parts_)
+      for (const SummaryBlock& block : part->blocks()) blocks.push_back(block);
     return blocks;
   }
 
   int minimum_resolution() const override {
-    return std::max(network_.minimum_resolution(), means_.minimum_resolution());
+    int smallest = 1;
+    for (const Part& part : parts_) smallest = std::max(smallest, part->minimum_resolution());
+    return smallest;
   }
 
  private:
-  Network network_;
-  MeansSummary means_;
+  std::vector<Part> parts_;
 };
+
+using MakePart = Part (*)(const std::filesystem::path& network);
+
+Part gram_matrices(const std::filesystem::path& network) {
+  return std::make_shared<GramMatrices>(Network::load(network.empty() ? bundled_network() : network));
+}
+Part ring_means(const std::filesystem::path&) { return std::make_shared<RingMeans>(4); }
+Part fine_ring_means(const std::filesystem::path&) { return std::make_shared<RingMeans>(16); }
+Part ring_spectrum(const std::filesystem::path&) { return std::make_shared<RingSpectrum>(8); }
+Part strip_means(const std::filesystem::path&) { return std::make_shared<StripMeans>(64); }
+Part column_spectrum(const std::filesystem::path&) { return std::make_shared<ColumnSpectrum>(16); }
+
+struct Entry {
+  const char* name;
+  std::vector<MakePart> parts;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{{"gram", {gram_matrices, ring_means}},
+                                      {"rings", {fine_ring_means, ring_spectrum}},
+                                      {"bands", {strip_means, column_spectrum}},
+                                      {"means", {ring_means}}};
+  return all;
+}
+
+const Entry& find(const std::string& name) {
+  std::string known;
+  for (const Entry& entry : entries()) {
+    if (name == entry.name) return entry;
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw UserError("There is no summary '" + name + "': use one of " + known +
+                  ", or several joined by +, as in gram+rings.");
+}
 
 }  // namespace
 
-std::vector<std::string> summary_names() { return {"gram", "means"}; }
+std::vector<std::string> summary_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries()) names.emplace_back(entry.name);
+  return names;
+}
 
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network) {
-  if (name == "means") return std::make_shared<MeansSummary>();
-  if (name == "gram")
-    return std::make_shared<GramSummary>(Network::load(network.empty() ? bundled_network() : network));
-  throw UserError("There is no summary '" + name + "': use gram or means.");
+  std::vector<MakePart> chosen;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('+', begin), name.size());
+    for (const MakePart part : find(name.substr(begin, end - begin)).parts)
+      if (std::ranges::find(chosen, part) == chosen.end()) chosen.push_back(part);
+    begin = end + 1;
+  }
+  std::vector<Part> parts;
+  for (const MakePart part : chosen) parts.push_back(part(network));
+  return std::make_shared<Composition>(std::move(parts));
 }
 
 }  // namespace patina

@@ -9,12 +9,18 @@
 
 namespace patina {
 
+/// What the error of a block's entries is measured by; engine/posterior/error_model.h gives each its sigma.
+enum class ErrorScale {
+  relative,     ///< the norm of the photo's block: second moments (Gram matrices)
+  logarithmic,  ///< one, the entries being logarithms of second moments (spectra)
+  regional,     ///< display units: mean colours of the image's regions
+};
+
 /// A run of entries of a summary vector that share a meaning and a scale.
 struct SummaryBlock {
-  std::string name;  ///< "gram 2", "ring means"
+  std::string name;  ///< "gram 2", "4 ring means"
   std::int64_t size;
-  bool relative;  ///< true: errors are judged relative to the block's norm (Gram matrices); false: absolute
-                  ///< (means)
+  ErrorScale scale;
 };
 
 /// A summary function (paper section 4): maps an image to a vector that forgets where things lie and keeps
@@ -32,10 +38,15 @@ class Summary {
   virtual int minimum_resolution() const = 0;
 };
 
+/// "gram"   Gram matrices of a network's features, and the mean colours of 4 concentric rings
+/// "rings"  mean colours of 16 concentric rings, and the spectrum in 8 rings (isotropic, fine: flakes)
+/// "bands"  mean colours of 64 upright strips, and the columns' spectrum in 16 bands (brushed metal)
+/// "means"  mean colours of 4 concentric rings
 std::vector<std::string> summary_names();
 
-/// @param name     "gram" (Gram matrices of the network's features, plus regional means) or "means"
-/// @param network  a weights file; empty for the bundled one. Unused by summaries without a network.
+/// @param name     one of summary_names(), or several joined by '+' ("gram+rings"): all their blocks, in that
+///                 order, what two of them share only once
+/// @param network  a weights file; empty for the bundled one. Read only by "gram".
 /// @throws UserError for an unknown name or a file that is not a network
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network);
 

@@ -53,6 +53,12 @@ class PriorFile : public testing::Test {
                                    testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
+TEST_F(PriorFile, SummaryIsGramUnlessTheFileSaysOtherwise) {
+  EXPECT_EQ(read(kGood).summary, "gram");
+  EXPECT_EQ(read(with(R"("choices")", R"("summary": "bands", "choices")")).summary, "bands");
+  expect_refusal(with(R"("choices")", R"("summary": 3, "choices")"), "summary");
+}
+
 TEST_F(PriorFile, GoodOneIsReadAsItStands) {
   const ParameterTable table = read(kGood);
   EXPECT_EQ(table.material, "toy");

@@ -11,7 +11,7 @@ PreviewRequest request_at(const ParameterValues& values, int resolution) {
   return {"bump", 3, Capture{}, values, resolution};
 }
 
-class PreviewWorkerTest : public testing::Test {
+class PreviewWorkerTest : public ::testing::Test {
  protected:
   Renderer renderer_{"bump", 3, Capture{}};
   ParameterValues values_ = prior_location(renderer_.table());

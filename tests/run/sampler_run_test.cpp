@@ -2,6 +2,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "engine/material/registry.h"
+#include "engine/run/manifest.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -87,6 +89,14 @@ TEST_F(SamplerRunTest, DiscreteParametersMove) {
   }
   std::ranges::sort(seen);
   EXPECT_GT(std::ranges::unique(seen).begin() - seen.begin(), 1);
+}
+
+TEST_F(SamplerRunTest, WithoutASummaryTheMaterialsOwnIsUsedAndWrittenDown) {
+  RunSettings unnamed = settings();
+  unnamed.summary.clear();
+  unnamed.map_only = true;
+  draws_to_the_end(*start(unnamed));
+  EXPECT_EQ(read_manifest(directory()).settings.summary, material_table("bump").summary);
 }
 
 TEST_F(SamplerRunTest, MapOnlyFindsAMatchAndDrawsNothing) {

@@ -18,26 +18,15 @@
 #include "engine/summary/summary.h"
 #include "resources/networks/bundled_design.h"
 #include "resources/networks/distilled_vgg.h"
+#include "resources/networks/gram_distance.h"
 #include "tests/summary/network_files.h"
 
 namespace patina {
 namespace {
 
-/// Mean over the Gram blocks of |a - b| / (|a| / 2 + |b| / 2): the texture score of a pair of images.
 double gram_distance(const Summary& summary, const at::Tensor& a, const at::Tensor& b) {
   const at::NoGradGuard no_grad;
-  const at::Tensor sa = summary(a), sb = summary(b);
-  double sum = 0;
-  std::int64_t at = 0, count = 0;
-  for (const SummaryBlock& block : summary.blocks()) {
-    const at::Tensor pa = sa.slice(0, at, at + block.size), pb = sb.slice(0, at, at + block.size);
-    at += block.size;
-    if (!block.relative) continue;
-    const auto norm = [](const at::Tensor& x) { return x.norm().item<double>(); };
-    sum += norm(pa - pb) / (norm(pa) / 2 + norm(pb) / 2);
-    ++count;
-  }
-  return sum / static_cast<double>(count);
+  return gram_distance(summary(a), summary(b), summary.blocks());
 }
 
 /// A periodic texture: a sum of waves of many directions and lengths, in one colour.
@@ -134,6 +123,14 @@ TEST_F(BundledNetwork, AFileCanDescribeADistilledVggWhoseDistanceIsThatOfItsPyth
   ASSERT_EQ(std::sscanf(line.c_str(), "texture %lf", &expected), 1) << line;
   const auto summary = make_summary("gram", file(describe_distilled_vgg(read_safetensors(weights))));
   EXPECT_NEAR(gram_distance(*summary, to_tensor(read_image(a)), to_tensor(read_image(b))), expected, 1e-3);
+}
+
+TEST(Spearman, IsThatOfTheRanksAndKnowsTies) {
+  EXPECT_NEAR(spearman({1, 2, 3, 4}, {0.1, 1, 10, 1e9}), 1, 1e-12) << "any rising function";
+  EXPECT_NEAR(spearman({1, 2, 3, 4}, {4, 3, 2, 1}), -1, 1e-12);
+  EXPECT_NEAR(spearman({1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}), 1 - 6 * 4.0 / (5 * 24), 1e-12);
+  EXPECT_NEAR(spearman({1, 2, 2, 3}, {1, 2, 3, 4}), 4.5 / std::sqrt(4.5 * 5), 1e-12);
+  EXPECT_TRUE(std::isnan(spearman({1, 1}, {1, 2})));
 }
 
 TEST_F(BundledNetwork, DescribingOtherWeightsAsTheDistilledVggIsRefused) {

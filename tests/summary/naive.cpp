@@ -34,11 +34,16 @@ Maps normalised(const Maps& image, const double (&mean)[3], const double (&std)[
   });
 }
 
-Maps convolved(const Maps& in, const SafeTensors& network, const std::string& name, bool relu) {
+Maps convolved(const Maps& in, const SafeTensors& network, const std::string& name, bool relu, bool reflect) {
   const at::Tensor& weight = network.tensors.at(name + ".weight");
   const float* bias = network.tensors.at(name + ".bias").data_ptr<float>();
   const float* w = weight.data_ptr<float>();
   const std::int64_t side = weight.size(2);
+  const auto pixel = [&](std::int64_t c, std::int64_t row, std::int64_t column) {
+    const bool inside = row >= 0 && row < in.height && column >= 0 && column < in.width;
+    if (!inside && !reflect) return 0.0;
+    return in.at(c, reflected(row, in.height), reflected(column, in.width));
+  };
   return make(weight.size(0), in.height, in.width,
               [&](std::int64_t out, std::int64_t row, std::int64_t column) {
                 double sum = bias[out];
@@ -46,8 +51,7 @@ Maps convolved(const Maps& in, const SafeTensors& network, const std::string& na
                   for (std::int64_t i = 0; i < side; ++i)
                     for (std::int64_t j = 0; j < side; ++j)
                       sum += w[((out * in.channels + c) * side + i) * side + j] *
-                             in.at(c, reflected(row + i - side / 2, in.height),
-                                   reflected(column + j - side / 2, in.width));
+                             pixel(c, row + i - side / 2, column + j - side / 2);
                 return relu ? std::max(sum, 0.0) : sum;
               });
 }

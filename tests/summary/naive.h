@@ -18,7 +18,10 @@ struct Maps {
 
 Maps from_tensor(const at::Tensor& tensor);  ///< [c, h, w]
 Maps normalised(const Maps& image, const double (&mean)[3], const double (&std)[3]);
-Maps convolved(const Maps& in, const SafeTensors& network, const std::string& name, bool relu);
+
+/// @param reflect  padding by reflection, else with zeros
+Maps convolved(const Maps& in, const SafeTensors& network, const std::string& name, bool relu,
+               bool reflect = true);
 Maps average_pooled(const Maps& in);
 Maps max_pooled(const Maps& in);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,22 +9,13 @@
 
 #include "engine/error.h"
 #include "engine/summary/safetensors.h"
+#include "tests/support/temporary_folder.h"
 
 namespace patina {
 
-/// A test with an empty folder of its own, removed afterwards.
+/// A test with an empty folder of its own.
 class NetworkFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "patina-summary-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   std::filesystem::path file(std::string_view bytes) const {
     const std::filesystem::path path = folder_ / "network.safetensors";
     std::filesystem::remove(path);
@@ -39,7 +29,11 @@ class NetworkFiles : public ::testing::Test {
     return path;
   }
 
-  std::filesystem::path folder_;
+ private:
+  testing::TemporaryFolder temporary_;
+
+ protected:
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// Values from N(0, scale^2), the same for the same seed.

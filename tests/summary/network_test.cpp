@@ -1,24 +1,20 @@
 #include "engine/summary/network.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/ops/dot.h>
 #include <ATen/ops/full.h>
 
 #include <cmath>
 #include <limits>
 
+#include "engine/summary/bin_means.h"
 #include "engine/summary/gram.h"
-#include "engine/summary/ring_means.h"
 #include "engine/summary/summary.h"
+#include "tests/summary/gradients.h"
 #include "tests/summary/naive.h"
 #include "tests/summary/network_files.h"
 
 namespace patina {
 namespace {
-
-at::Tensor random_image(std::int64_t side, unsigned seed = 3) {
-  return (random_tensor({3, side, side}, seed, 0.2) + 0.5).clamp(0, 1);
-}
 
 void expect_equal(const at::Tensor& actual, const naive::Maps& expected, double tolerance) {
   const naive::Maps maps = naive::from_tensor(actual);
@@ -51,6 +47,37 @@ TEST_F(NetworkTest, FeaturesEqualPlainLoopsInDouble) {
   }
 }
 
+/// A description whose padding is that JSON value.
+SafeTensors with_padding(SafeTensors contents, const std::string& padding) {
+  contents.metadata["patina_network"].insert(1, "\"padding\": " + padding + ", ");
+  return contents;
+}
+
+TEST_F(NetworkTest, PadsWithZerosWhereItsDescriptionSaysSo) {
+  const SafeTensors contents = with_layers(R"([{"op": "conv", "weights": "a"}, {"op": "tap"}])");
+  const at::Tensor image = random_image(9);
+  const double mean[3] = {0.5, 0.4, 0.3}, std[3] = {0.2, 0.3, 0.4};
+  const naive::Maps input = naive::normalised(naive::from_tensor(image), mean, std);
+  for (const bool reflect : {true, false}) {
+    const SafeTensors padded = with_padding(contents, reflect ? R"("reflect")" : R"("zero")");
+    expect_equal(Network::load(file(padded)).features(image)[0],
+                 naive::convolved(input, contents, "a", true, reflect), 1e-5);
+  }
+  for (const char* bad : {"\"circular\"", "3", "null"})
+    EXPECT_NE(user_error([&] { Network::load(file(with_padding(contents, bad))); }).find("padding"),
+              std::string::npos)
+        << bad;
+}
+
+TEST_F(NetworkTest, WhatLiesBehindTheLastTapIsNeitherReadNorRun) {
+  SafeTensors contents = with_layers(R"([{"op": "conv", "weights": "a"}, {"op": "tap"}, {"op": "avg_pool"},
+                                         {"op": "conv", "weights": "b"}, {"op": "conv", "weights": "none"}])");
+  contents.tensors["b.bias"] = at::full({5}, std::numeric_limits<double>::quiet_NaN(), at::kFloat);
+  const Network network = Network::load(file(contents));
+  EXPECT_EQ(network.minimum_resolution(), 2) << "that of the first convolution";
+  EXPECT_EQ(network.features(random_image(8)).size(), 1u);
+}
+
 TEST_F(NetworkTest, TellsItsChannelsAndTheSmallestImageItTakes) {
   const Network network = Network::load(file(small_network()));
   EXPECT_EQ(network.feature_channels(), (std::vector<std::int64_t>{4, 2, 3}));
@@ -76,59 +103,17 @@ TEST(GramVector, EqualsLoopsOverThePixelsAndKeepsTheFrobeniusNorm) {
   EXPECT_NEAR(vector.norm().item<double>(), std::sqrt(square), 1e-5);
 }
 
-TEST(RingMeans, EqualMeansOverThePixelsOfEachRing) {
-  constexpr int kSide = 23;
-  const naive::Maps image = naive::from_tensor(random_image(kSide));
-  double sums[3][RingMeans::kRings] = {}, counts[RingMeans::kRings] = {};
-  for (int row = 0; row < kSide; ++row)
-    for (int column = 0; column < kSide; ++column) {
-      const double x = column - (kSide - 1) / 2.0, y = row - (kSide - 1) / 2.0;  // pixels from the centre
-      const double radius = std::sqrt(x * x + y * y);
-      const int ring = radius < kSide / 8.0 ? 0 : radius < kSide / 4.0 ? 1 : radius < 3 * kSide / 8.0 ? 2 : 3;
-      ++counts[ring];
-      for (int c = 0; c < 3; ++c) sums[c][ring] += image.at(c, row, column);
-    }
-  const at::Tensor means = RingMeans()(random_image(kSide));
-  for (int c = 0; c < 3; ++c)
-    for (int ring = 0; ring < RingMeans::kRings; ++ring)
-      EXPECT_NEAR(means[c * RingMeans::kRings + ring].item<double>(), sums[c][ring] / counts[ring], 1e-5);
-}
-
-/// A random linear functional of a summary of an image.
-double projected(const Summary& summary, const at::Tensor& image, const at::Tensor& weights) {
-  return at::dot(summary(image).to(at::kDouble), weights.to(at::kDouble)).item<double>();
-}
-
-/// |derivatives along eight directions by autograd - by central differences|, relative to the latter.
-double gradient_error(const Summary& summary, double step) {
-  const at::Tensor image = random_image(16);
-  const at::Tensor weights = random_tensor({summary(image).size(0)}, 5);
-  const at::Tensor leaf = image.clone().set_requires_grad(true);
-  at::dot(summary(leaf), weights).backward();
-  double error = 0, scale = 0;
-  for (unsigned seed = 10; seed < 18; ++seed) {
-    const at::Tensor direction = random_tensor({3, 16, 16}, seed);
-    const double exact = (leaf.grad() * direction).sum().item<double>();
-    const double difference = (projected(summary, image + step * direction, weights) -
-                               projected(summary, image - step * direction, weights)) /
-                              (2 * step);
-    error += (exact - difference) * (exact - difference);
-    scale += difference * difference;
-  }
-  return std::sqrt(error / scale);
-}
-
 TEST_F(NetworkTest, GradientEqualsCentralDifferencesWhichAreExactForAQuadraticSummary) {
   const auto smooth =
       make_summary("gram", file(with_layers(R"([{"op": "conv", "weights": "a", "relu": false}, {"op": "tap"},
                                    {"op": "avg_pool"}, {"op": "conv", "weights": "b", "relu": false},
                                    {"op": "tap"}])")));
-  EXPECT_LT(gradient_error(*smooth, 0.1), 1e-4);
+  EXPECT_LT(gradient_error(*smooth, 16, 0.1), 1e-4);
 }
 
 TEST_F(NetworkTest, GradientPassesRectifiersAndMaxima) {
   const auto summary = make_summary("gram", file(small_network()));
-  EXPECT_LT(gradient_error(*summary, 3e-4), 1e-2) << "the error falls with the step: kinks";
+  EXPECT_LT(gradient_error(*summary, 16, 3e-4), 1e-2) << "the error falls with the step: kinks";
 }
 
 TEST_F(NetworkTest, SummaryIsItsBlocksInOrder) {
@@ -141,8 +126,8 @@ TEST_F(NetworkTest, SummaryIsItsBlocksInOrder) {
   ASSERT_EQ(blocks.size(), features.size() + 1);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const bool gram = i < features.size();
-    const at::Tensor expected = gram ? gram_vector(features[i]) : RingMeans()(image);
-    EXPECT_EQ(blocks[i].relative, gram) << blocks[i].name;
+    const at::Tensor expected = gram ? gram_vector(features[i]) : RingMeans(4)(image);
+    EXPECT_EQ(blocks[i].scale, gram ? ErrorScale::relative : ErrorScale::regional) << blocks[i].name;
     ASSERT_EQ(blocks[i].size, expected.numel()) << blocks[i].name;
     EXPECT_TRUE(vector.slice(0, at, at + blocks[i].size).allclose(expected)) << blocks[i].name;
     at += blocks[i].size;
