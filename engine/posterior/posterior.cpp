@@ -91,10 +91,8 @@ Evaluation Posterior::evaluate(const Position& position) const {
   Evaluation evaluation = evaluate_with_whole_gradient(position);
   if (!std::isfinite(evaluation.log_density)) return evaluation;
   const std::vector<bool> along = jagged();
-  for (std::size_t i = 0; i < along.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    if (along[i]) evaluation.gradient[k] = -position.continuous[k];
-  }
+  for (std::size_t i = 0; i < along.size(); ++i)
+    if (along[i]) evaluation.gradient[static_cast<Eigen::Index>(i)] = 0;
   return evaluation;
 }
 

@@ -44,7 +44,7 @@ class Posterior final : public LogDensity {
   std::vector<int> discrete_levels() const override;
   std::vector<bool> jagged() const override;
 
-  /// Along jagged coordinates the gradient is the prior's alone.
+  /// The gradient is zero along jagged coordinates.
   Evaluation evaluate(const Position& position) const override;
 
   /// The same with the whole gradient along every coordinate.

@@ -83,9 +83,7 @@ KernelSettings Chain::warm_up(ChainState& state) {
   ChainWarmup warmup(start, plan_.kernel.target_acceptance());
   for (const WarmupWindow& window : warmup_schedule(plan_.settings.warmup)) {
     for (int i = window.begin; i < window.end; ++i) step(warmup.settings(), state, &warmup);
-    Eigen::MatrixXd positions = warmup.take_positions();
-    if (window.adapts_metric)
-      warmup.set_metric(meeting_.meet(index_, std::move(positions), shared_.control.token()));
+    warmup.adopt(meeting_.meet(index_, warmup.report(), window.adapts_metric, shared_.control.token()));
   }
   return plan_.settings.warmup > 0 ? warmup.frozen() : start;
 }

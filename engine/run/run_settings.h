@@ -18,13 +18,13 @@ struct RunSettings {
   /// Empty: the material's own; run.json holds the name in use.
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
-  std::string kernel = "mala";
+  std::string kernel = "hmc";
   int chains = 4;
-  int warmup = 1000;
-  int draws = 3000;          ///< per chain, after warm-up
-  double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
-  double refresh = 0.3;      ///< probability that a continuous move refreshes one parameter instead (kernels.h)
-  std::uint64_t seed = 1;    ///< of the search and the chains
+  int warmup = 500;
+  int draws = 1200;        ///< per chain, after warm-up
+  double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
+  double refresh = 0.6;    ///< probability that a continuous move refreshes one parameter instead (kernels.h)
+  std::uint64_t seed = 1;  ///< of the search and the chains
   std::uint64_t z_seed = 1;  ///< of the irregularities
   bool map_only = false;     ///< stop after the search for the mode
   std::map<std::string, double> fixed;

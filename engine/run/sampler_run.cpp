@@ -172,7 +172,7 @@ void SamplerRun::sample(const ModeFound& found) {
                        found.mode,
                        found.laplace,
                        directory_};
-  WarmupMeeting meeting(settings_.chains);
+  WarmupMeeting meeting(settings_.chains, plan.laplace);
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < settings_.chains; ++k)
     shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });

@@ -22,7 +22,8 @@ std::unique_ptr<Kernel> make_hmc(double path_length = kPathLength);
 /// DiscreteSample).
 std::unique_ptr<Kernel> make_discrete_move();
 
-/// Moves one continuous coordinate, chosen at random, towards a fresh draw from N(0, 1): x' = sqrt(1 - b^2) x
+/// Moves one continuous coordinate, chosen at random with jagged ones preferred, towards a fresh draw from
+/// N(0, 1): x' = sqrt(1 - b^2) x
 /// + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White
 /// 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat directions, and from one basin to
 /// another, in one step, which no local move does. Valid for any target.
@@ -32,10 +33,14 @@ std::unique_ptr<Kernel> make_refresh_move();
 std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete,
                                      double alpha);
 
+/// A gradient kernel on the coordinates that are not jagged, all others held (Gibbs' way of composing moves),
+/// in the metric that is left to them. At least one coordinate must not be jagged.
+std::unique_ptr<Kernel> make_smooth_block(std::unique_ptr<Kernel> kernel);
+
 std::vector<std::string> kernel_names();
 
-/// The kernel for a target: the named continuous one, mixed with refresh moves, and with discrete moves where
-/// the target has discrete coordinates.
+/// The kernel for a target: the named continuous one, on the smooth coordinates, mixed with refresh moves,
+/// and with discrete moves where the target has discrete coordinates.
 /// @param alpha    probability of a continuous move (named or refresh) where there are discrete coordinates,
 /// (0, 1]
 /// @param refresh  probability that a continuous move is a refresh move, [0, 1)

@@ -12,8 +12,7 @@ struct Position {
   Eigen::VectorXi discrete;
 };
 
-/// Value and gradient (with respect to the continuous coordinates) of a log density. Along jagged coordinates
-/// the gradient is that of a smooth stand-in (see LogDensity::jagged).
+/// Value and gradient (with respect to the continuous coordinates; zero along jagged ones) of a log density.
 struct Evaluation {
   double log_density = 0;
   Eigen::VectorXd gradient;
@@ -33,10 +32,9 @@ class LogDensity {
   virtual std::vector<int> discrete_levels() const { return {}; }
 
   /// Which continuous coordinates are jagged; empty: none. Along these the log density has wrinkles far
-  /// narrower than its width, so that its slope says where the next wrinkle is and nothing else: the step
-  /// sizes that it allows would stop a chain. evaluate() gives there the slope of a smooth part of the log
-  /// density, zero if there is none. Gradient kernels need not know, since a Metropolis step with any force
-  /// is valid and the value is exact (Neal 2011, section 5.5.1); what climbs or measures curvature must.
+  /// narrower than its width, so that its slope says where the next wrinkle is and nothing else: the steps
+  /// that it allows would stop a chain. evaluate() gives zero there; gradient kernels hold these coordinates,
+  /// and moves that need no gradient take them along.
   virtual std::vector<bool> jagged() const { return {}; }
 
   virtual Evaluation evaluate(const Position& position) const = 0;

@@ -1,5 +1,7 @@
 #include "engine/sampling/metric.h"
 
+#include <Eigen/LU>
+
 #include <stdexcept>
 
 namespace patina {
@@ -20,6 +22,12 @@ Eigen::VectorXd Metric::colour(const Eigen::VectorXd& v) const { return factor_.
 
 Eigen::VectorXd Metric::colour_transposed(const Eigen::VectorXd& v) const {
   return factor_.matrixL().transpose() * v;
+}
+
+Metric Metric::conditional(const std::vector<Eigen::Index>& coordinates) const {
+  const Eigen::MatrixXd precision = factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
+  const Eigen::MatrixXd block = precision(coordinates, coordinates).inverse();
+  return Metric((block + block.transpose()) / 2);
 }
 
 double Metric::inverse_norm2(const Eigen::VectorXd& v) const {

@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace patina {
 
 /// A dense metric: an estimate of the posterior covariance C = L L^T that preconditions the kernels.
@@ -19,6 +21,9 @@ class Metric {
   Eigen::VectorXd colour(const Eigen::VectorXd& v) const;             ///< L v: white noise to N(0, C)
   Eigen::VectorXd colour_transposed(const Eigen::VectorXd& v) const;  ///< L^T v
   double inverse_norm2(const Eigen::VectorXd& v) const;               ///< v^T C^-1 v
+
+  /// The metric of some coordinates while the others are held: the inverse of their block of C^-1.
+  Metric conditional(const std::vector<Eigen::Index>& coordinates) const;
 
  private:
   Eigen::MatrixXd covariance_;

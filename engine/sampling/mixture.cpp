@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -54,7 +55,14 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
   check_alpha(alpha);
   if (!(refresh >= 0 && refresh < 1)) throw std::invalid_argument("refresh must be in [0, 1)");
   std::unique_ptr<Kernel> continuous = make_continuous(name);
-  if (refresh > 0) continuous = make_mixture(std::move(continuous), make_refresh_move(), 1 - refresh);
+  const std::vector<bool> jagged = target.jagged();
+  const auto jagged_count = std::ranges::count(jagged, true);
+  if (jagged_count > 0 && refresh == 0) throw std::invalid_argument("jagged coordinates need refresh moves");
+  if (jagged_count > 0) continuous = make_smooth_block(std::move(continuous));
+  const bool nothing_smooth = jagged_count > 0 && jagged_count == target.dimension();
+  if (refresh > 0)
+    continuous = nothing_smooth ? make_refresh_move()
+                                : make_mixture(std::move(continuous), make_refresh_move(), 1 - refresh);
   if (target.discrete_levels().empty()) return continuous;
   if (target.dimension() == 0) return make_discrete_move();
   return make_mixture(std::move(continuous), make_discrete_move(), alpha);

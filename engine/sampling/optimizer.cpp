@@ -11,7 +11,6 @@
 #include <new>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
 
@@ -26,7 +25,7 @@ constexpr std::size_t kValueWindow = 5;  // iterations over which the value must
 class Climb {
  public:
   Climb(const LogDensity& target, const Position& start, const OptimizerSettings& settings)
-      : target_(target), settings_(settings), jagged_(target.jagged()), trial_(start) {
+      : target_(target), settings_(settings), trial_(start) {
     best_.position = start;
     best_.evaluation = {-kInfinity, Eigen::VectorXd::Zero(start.continuous.size())};
   }
@@ -78,8 +77,6 @@ class Climb {
       Evaluation evaluation = evaluate_finite(target_, trial_);
       ++best_.evaluations;
       Eigen::VectorXd::Map(gradient, n) = -evaluation.gradient;
-      for (std::size_t i = 0; i < jagged_.size(); ++i)
-        if (jagged_[i]) gradient[i] = 0;
       const double value = -evaluation.log_density;
       if (evaluation.log_density > best_.evaluation.log_density) {
         best_.position = trial_;
@@ -121,7 +118,6 @@ class Climb {
 
   const LogDensity& target_;
   const OptimizerSettings& settings_;
-  const std::vector<bool> jagged_;
   Position trial_;
   OptimizerResult best_;
   std::deque<double> recent_values_;

@@ -2,6 +2,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/kernels.h"
@@ -10,6 +11,17 @@
 namespace patina {
 namespace {
 
+/// Half of the time one of the jagged coordinates, which nothing else moves, if there are any; else any.
+Eigen::Index choose_coordinate(const LogDensity& target, Rng& rng) {
+  std::vector<Eigen::Index> jagged;
+  const std::vector<bool> is_jagged = target.jagged();
+  for (std::size_t i = 0; i < is_jagged.size(); ++i)
+    if (is_jagged[i]) jagged.push_back(static_cast<Eigen::Index>(i));
+  if (!jagged.empty() && rng.uniform() < 0.5)
+    return jagged[static_cast<std::size_t>(rng.below(static_cast<int>(jagged.size())))];
+  return rng.below(static_cast<int>(target.dimension()));
+}
+
 class RefreshMove final : public Kernel {
  public:
   TransitionInfo step(const LogDensity& target, const KernelSettings&, ChainState& state,
@@ -17,7 +29,7 @@ class RefreshMove final : public Kernel {
     constexpr double kSmallestShare = 0.1;  // of a fresh draw in the proposal
     constexpr double kDivergentFall = std::numeric_limits<double>::infinity();  // a bad draw is no divergence
     ChainState proposal{state.position, {}};
-    const int i = rng.below(static_cast<int>(target.dimension()));
+    const Eigen::Index i = choose_coordinate(target, rng);
     const double fresh = std::pow(kSmallestShare, rng.uniform());
     const double here = state.position.continuous[i];
     const double there = std::sqrt(1 - fresh * fresh) * here + fresh * rng.normal();

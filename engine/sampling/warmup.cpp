@@ -1,6 +1,7 @@
 #include "engine/sampling/warmup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace patina {
@@ -38,21 +39,35 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
   settings_.step_size = step_size_.step_size();
 }
 
-Eigen::MatrixXd ChainWarmup::take_positions() {
-  if (positions_.empty()) return {};
-  Eigen::MatrixXd matrix(positions_.front().size(), positions_.size());
-  for (std::size_t i = 0; i < positions_.size(); ++i) matrix.col(i) = positions_[i];
+WindowReport ChainWarmup::report() {
+  WindowReport report;
+  report.step_size = frozen().step_size;
+  if (positions_.empty()) return report;
+  report.positions.resize(positions_.front().size(), static_cast<Eigen::Index>(positions_.size()));
+  for (std::size_t i = 0; i < positions_.size(); ++i)
+    report.positions.col(static_cast<Eigen::Index>(i)) = positions_[i];
   positions_.clear();
-  return matrix;
+  return report;
 }
 
-void ChainWarmup::set_metric(std::shared_ptr<const Metric> metric) {
-  settings_.metric = std::move(metric);
-  step_size_.restart(step_size_.averaged_step_size());
-  settings_.step_size = step_size_.step_size();
+void ChainWarmup::adopt(const KernelSettings& pooled) {
+  settings_ = pooled;
+  step_size_.restart(pooled.step_size);
 }
 
 KernelSettings ChainWarmup::frozen() const { return {step_size_.averaged_step_size(), settings_.metric}; }
+
+KernelSettings pooled(const std::vector<WindowReport>& chains, bool adapts_metric,
+                      std::shared_ptr<const Metric> metric) {
+  double log_step = 0;
+  std::vector<Eigen::MatrixXd> positions;
+  for (const WindowReport& chain : chains) {
+    log_step += std::log(chain.step_size) / static_cast<double>(chains.size());
+    positions.push_back(chain.positions);
+  }
+  if (adapts_metric) metric = std::make_shared<const Metric>(pooled_covariance(positions));
+  return {std::exp(log_step), std::move(metric)};
+}
 
 Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains) {
   Eigen::Index dimension = 0, count = 0, degrees_of_freedom = 0;

@@ -22,6 +22,12 @@ struct WarmupWindow {
 /// size alone, for 0 none. As in the Stan reference manual, section "Automatic parameter tuning".
 std::vector<WarmupWindow> warmup_schedule(int iterations);
 
+/// What one chain brings to the end of a window.
+struct WindowReport {
+  Eigen::MatrixXd positions;  ///< dimension x transitions
+  double step_size = 0;       ///< averaged over the window
+};
+
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {
  public:
@@ -33,12 +39,12 @@ class ChainWarmup {
   /// Once after each transition. Step-size adaptation looks at continuous moves only.
   void observe(const ChainState& state, const TransitionInfo& info);
 
-  /// Positions seen since the last call (dimension x transitions); clears them. To be called at the end of
-  /// every window, so that those of a window that does not adapt the metric are left out.
-  Eigen::MatrixXd take_positions();
+  /// At the end of every window. Forgets the positions, so that the next report has those of its window
+  /// alone.
+  WindowReport report();
 
-  /// Installs the pooled metric and restarts the step-size search from the averaged step.
-  void set_metric(std::shared_ptr<const Metric> metric);
+  /// Goes on with what all chains pooled: from its step size the search starts anew.
+  void adopt(const KernelSettings& pooled);
 
   /// The settings to sample with: the averaged step size, the last metric.
   KernelSettings frozen() const;
@@ -49,6 +55,12 @@ class ChainWarmup {
   bool adapts_step_size_;
   std::vector<Eigen::VectorXd> positions_;
 };
+
+/// What all chains go on with after a window: the geometric mean of their step sizes, since each has seen few
+/// moves alone, and after a window that adapts it the metric of their pooled covariance, else the metric as
+/// it was.
+KernelSettings pooled(const std::vector<WindowReport>& chains, bool adapts_metric,
+                      std::shared_ptr<const Metric> metric);
 
 /// Covariance pooled over chains: within-chain covariances averaged (between-chain spread of unconverged
 /// chains left out), shrunk as Stan does: n/(n+5) S + 1e-3 5/(n+5) I. @param chains one matrix per chain,

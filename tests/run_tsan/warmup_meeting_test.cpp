@@ -23,9 +23,9 @@ Eigen::MatrixXd positions(int chain, int meeting) {
   return matrix;
 }
 
-TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
+TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
   constexpr int kMeetings = 50;
-  WarmupMeeting meeting(kChains);
+  WarmupMeeting meeting(kChains, nullptr);
   const std::stop_source never;
   std::vector<std::jthread> chains;
   std::atomic<int> right{0};
@@ -35,8 +35,8 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
         std::vector<Eigen::MatrixXd> all;
         for (int other = 0; other < kChains; ++other) all.push_back(positions(other, m));
         if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
-        const auto metric = meeting.meet(k, positions(k, m), never.get_token());
-        right += metric->covariance() == pooled_covariance(all);
+        const KernelSettings settings = meeting.meet(k, {positions(k, m), 0.1}, true, never.get_token());
+        right += settings.metric->covariance() == pooled_covariance(all);
       }
     });
   chains.clear();
@@ -44,14 +44,14 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
 }
 
 TEST(WarmupMeeting, AStopReleasesTheChainsThatWait) {
-  WarmupMeeting meeting(kChains);
+  WarmupMeeting meeting(kChains, nullptr);
   std::stop_source stop;
   std::atomic<int> released{0};
   std::vector<std::jthread> chains;
   for (int k = 0; k + 1 < kChains; ++k)  // the last one never comes
     chains.emplace_back([&, k] {
       try {
-        meeting.meet(k, positions(k, 0), stop.get_token());
+        meeting.meet(k, {positions(k, 0), 0.1}, true, stop.get_token());
       } catch (const RunStopped&) {
         ++released;
       }

@@ -66,7 +66,7 @@ class JaggedTarget final : public LogDensity {
   Evaluation evaluate(const Position& position) const override {
     Evaluation evaluation = smooth_.evaluate(position);
     evaluation.log_density += 0.5 * std::sin(1000 * position.continuous[0]);
-    evaluation.gradient[0] = -position.continuous[0];
+    evaluation.gradient[0] = 0;
     return evaluation;
   }
 

@@ -57,16 +57,16 @@ std::vector<Chain> start_chains(const LogDensity& target, const Kernel& kernel, 
 
 void warm_up(const LogDensity& target, const Kernel& kernel, int iterations, std::vector<Chain>& chains) {
   for (const WarmupWindow& window : warmup_schedule(iterations)) {
-    std::vector<Eigen::MatrixXd> seen;
+    std::vector<WindowReport> reports;
     for (Chain& chain : chains) {
       for (int t = window.begin; t < window.end; ++t)
         chain.warmup.observe(chain.state,
                              kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
-      seen.push_back(chain.warmup.take_positions());
+      reports.push_back(chain.warmup.report());
     }
-    if (!window.adapts_metric) continue;
-    const auto metric = std::make_shared<const Metric>(pooled_covariance(seen));
-    for (Chain& chain : chains) chain.warmup.set_metric(metric);
+    const KernelSettings settings =
+        pooled(reports, window.adapts_metric, chains.front().warmup.settings().metric);
+    for (Chain& chain : chains) chain.warmup.adopt(settings);
   }
 }
 

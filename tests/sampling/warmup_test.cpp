@@ -101,22 +101,33 @@ TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
   EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.3);
   EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.3);
-  EXPECT_EQ(warmup.take_positions().cols(), 10);
-  EXPECT_EQ(warmup.take_positions().cols(), 0) << "taken twice";
+  EXPECT_EQ(warmup.report().positions.cols(), 10);
+  EXPECT_EQ(warmup.report().positions.cols(), 0) << "reported twice";
 }
 
-TEST(ChainWarmup, restarts_the_step_size_when_it_gets_a_metric) {
+TEST(ChainWarmup, goes_on_with_what_was_pooled) {
   ChainWarmup warmup(settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), 0.574);
   const ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
   TransitionInfo info;
   info.accept_probability = 0.9;
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
-  const double averaged = warmup.frozen().step_size;
   const auto metric = std::make_shared<const Metric>(Eigen::MatrixXd::Constant(1, 1, 4));
-  warmup.set_metric(metric);
-  EXPECT_DOUBLE_EQ(warmup.settings().step_size, averaged);
+  warmup.adopt({0.7, metric});
+  EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.7);
+  EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.7);
   EXPECT_EQ(warmup.settings().metric, metric);
   EXPECT_EQ(warmup.frozen().metric, metric);
+}
+
+TEST(Pooled, step_size_is_the_geometric_mean_and_the_metric_changes_only_where_it_is_adapted) {
+  Eigen::MatrixXd positions(1, 3);
+  positions << 0, 1, 2;
+  const std::vector<WindowReport> reports{{positions, 0.1}, {3 * positions, 0.4}};
+  const auto before = std::make_shared<const Metric>(Metric::identity(1));
+  const KernelSettings kept = pooled(reports, false, before), adapted = pooled(reports, true, before);
+  EXPECT_DOUBLE_EQ(kept.step_size, 0.2);
+  EXPECT_EQ(kept.metric, before);
+  EXPECT_EQ(adapted.metric->covariance(), pooled_covariance({positions, 3 * positions}));
 }
 
 TEST(PooledCovariance, is_the_shrunk_within_chain_covariance) {

@@ -30,7 +30,7 @@ class NetworkFiles : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder temporary_;
+  TemporaryFolder temporary_;
 
  protected:
   const std::filesystem::path& folder_ = temporary_.path();
