@@ -18,6 +18,8 @@ Metric Metric::identity(Eigen::Index dimension) {
 
 Eigen::VectorXd Metric::colour(const Eigen::VectorXd& v) const { return factor_.matrixL() * v; }
 
+Eigen::VectorXd Metric::colour_transposed(const Eigen::VectorXd& v) const { return factor_.matrixU() * v; }
+
 double Metric::inverse_norm2(const Eigen::VectorXd& v) const {
   return factor_.matrixL().solve(v).squaredNorm();
 }

@@ -16,8 +16,9 @@ class Metric {
   const Eigen::MatrixXd& covariance() const { return covariance_; }
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& v) const { return covariance_ * v; }  ///< C v
-  Eigen::VectorXd colour(const Eigen::VectorXd& v) const;  ///< L v: white noise to N(0, C)
-  double inverse_norm2(const Eigen::VectorXd& v) const;    ///< v^T C^-1 v
+  Eigen::VectorXd colour(const Eigen::VectorXd& v) const;             ///< L v: white noise to N(0, C)
+  Eigen::VectorXd colour_transposed(const Eigen::VectorXd& v) const;  ///< L^T v
+  double inverse_norm2(const Eigen::VectorXd& v) const;               ///< v^T C^-1 v
 
  private:
   Eigen::MatrixXd covariance_;
