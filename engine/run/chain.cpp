@@ -80,6 +80,8 @@ KernelSettings Chain::warm_up(ChainState& state) {
   const Stopwatch stopwatch(warmup_seconds_);
   KernelSettings start;
   start.metric = plan_.laplace;
+  if (plan_.settings.warmup > 0 && plan_.kernel.target_acceptance() > 0)
+    start.step_size = initial_step_size(plan_.target, start, state, rng_);
   ChainWarmup warmup(start, plan_.kernel.target_acceptance());
   for (const WarmupWindow& window : warmup_schedule(plan_.settings.warmup)) {
     for (int i = window.begin; i < window.end; ++i) step(warmup.settings(), state, &warmup);
@@ -106,7 +108,7 @@ void Chain::record(const KernelSettings& settings, const ChainState& state, cons
   draw.step_size = settings.step_size;
   draw.divergent = info.divergent;
   draw.values = plan_.values(state.position);
-  const ChainCsvRow row = to_row(draw, info.evaluations, info.energy);
+  const ChainCsvRow row = to_row(draw, info);
   shared_.write_or_pause([&] { file_.append(row); });
 
   tally_.add(draw);

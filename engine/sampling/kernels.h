@@ -8,15 +8,24 @@
 
 namespace patina {
 
-/// A quarter of the period of a normal posterior in its own metric, at which a path forgets where it began.
-constexpr double kPathLength = 1.5;
-
 /// Metropolis-adjusted Langevin (Roberts & Tweedie 1996), preconditioned by the metric.
 std::unique_ptr<Kernel> make_mala();
 
-/// Hamiltonian Monte Carlo (Neal 2011) with a path of jittered length: uniform on half to one and a half
-/// times path_length, in standard deviations of the metric.
-std::unique_ptr<Kernel> make_hmc(double path_length = kPathLength);
+/// Random-walk Metropolis with proposals from N(x, step^2 C), C the metric. Makes no use of gradients.
+std::unique_ptr<Kernel> make_random_walk();
+
+/// Hamiltonian Monte Carlo (Duane et al. 1987; Neal 2011): the number of leapfrog steps is drawn anew for
+/// every transition, uniform from 1 to 2 path_length / step - 1.
+/// @param path_length  mean length of a trajectory in standard deviations (as the metric has them)
+/// @param most_steps   bound on the number of steps, and so of evaluations
+/// @throws std::invalid_argument unless both are positive
+std::unique_ptr<Kernel> make_hmc(double path_length = 1.2, int most_steps = 64);
+
+/// The no-U-turn sampler (Hoffman & Gelman 2014) as Stan has it: multinomial draws and the generalised
+/// criterion of Betancourt 2017 ("A conceptual introduction to Hamiltonian Monte Carlo", appendix A).
+/// @param deepest  how often a trajectory may double: up to 2^deepest - 1 evaluations
+/// @throws std::invalid_argument unless deepest >= 1
+std::unique_ptr<Kernel> make_nuts(int deepest = 10);
 
 /// Proposes a level for every discrete coordinate, uniform over the joint table (paper, Algorithm 1,
 /// DiscreteSample).

@@ -31,8 +31,10 @@ class Mixture final : public Kernel {
 };
 
 std::unique_ptr<Kernel> make_continuous(const std::string& name) {
-  if (name == "hmc") return make_hmc();
+  if (name == "mh") return make_random_walk();
   if (name == "mala") return make_mala();
+  if (name == "hmc") return make_hmc();
+  if (name == "nuts") return make_nuts();
   throw std::invalid_argument("unknown kernel '" + name + "'");
 }
 
@@ -48,7 +50,7 @@ std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::un
   return std::make_unique<Mixture>(std::move(continuous), std::move(discrete), alpha);
 }
 
-std::vector<std::string> kernel_names() { return {"hmc", "mala"}; }
+std::vector<std::string> kernel_names() { return {"mh", "mala", "hmc", "nuts"}; }
 
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
                                     double refresh) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/sampling/chain_state.h"
+#include "engine/sampling/rng.h"
 #include "engine/sampling/step_size_adaptation.h"
 
 namespace patina {
@@ -27,6 +28,13 @@ struct WindowReport {
   Eigen::MatrixXd positions;  ///< dimension x transitions
   double step_size = 0;       ///< averaged over the window
 };
+
+/// A step size to begin warm-up with (Hoffman & Gelman 2014, algorithm 4): doubles or halves
+/// settings.step_size until the acceptance probability of one leapfrog step crosses 0.8. Takes a handful of
+/// evaluations.
+/// @param state  of finite log density
+double initial_step_size(const LogDensity& target, const KernelSettings& settings, const ChainState& state,
+                         Rng& rng);
 
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {

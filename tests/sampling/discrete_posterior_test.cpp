@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -95,9 +96,10 @@ class LopsidedDiscreteMove final : public Kernel {
 };
 
 TEST(DiscretePosterior, has_the_enumerated_probabilities_whatever_alpha) {
-  for (const double alpha : {0.1, 0.5, 0.9})
-    for (const double z : z_scores(*make_kernel("mala", table_target(), alpha)))
-      EXPECT_LT(z, 5) << "alpha " << alpha;
+  for (const std::string& name : kernel_names())
+    for (const double alpha : {0.1, 0.5, 0.9})
+      for (const double z : z_scores(*make_kernel(name, table_target(), alpha)))
+        EXPECT_LT(z, 5) << name << ", alpha " << alpha;
 }
 
 TEST(DiscretePosterior, is_missed_by_lopsided_proposals) {
