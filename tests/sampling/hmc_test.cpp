@@ -51,7 +51,7 @@ TEST(Hmc, counts_its_evaluations) {
     counted +=
         make_hmc()->step(target, settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), state, rng).evaluations;
   EXPECT_EQ(counted, evaluations);
-  EXPECT_NEAR(counted / 200.0, 1.2 / 0.3, 0.5);
+  EXPECT_NEAR(counted / 200.0, 1.5 / 0.3, 0.5);
 }
 
 TEST(Hmc, breaks_off_where_the_energy_has_risen_beyond_any_acceptance) {
