@@ -18,12 +18,14 @@ struct RunSettings {
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "mala";
+  std::string metric = "dense";    ///< what warm-up learns of the covariance: identity, diagonal or dense
+  std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   int warmup = 1000;
-  int draws = 3000;          ///< per chain, after warm-up
-  double alpha = 0.8;        ///< probability of a continuous move, where there are discrete parameters
-  double refresh = 0.3;      ///< probability that a continuous move refreshes one parameter instead (kernels.h)
-  std::uint64_t seed = 1;    ///< of the search and the chains
+  int draws = 3000;        ///< per chain, after warm-up
+  double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
+  double refresh = 0.3;    ///< probability that a continuous move refreshes one parameter instead (kernels.h)
+  std::uint64_t seed = 1;  ///< of the search and the chains
   std::uint64_t z_seed = 1;  ///< of the irregularities
   bool map_only = false;     ///< stop after the search for the mode
   std::map<std::string, double> fixed;

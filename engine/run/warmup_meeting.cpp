@@ -3,25 +3,23 @@
 #include <utility>
 
 #include "engine/run/run_control.h"
-#include "engine/sampling/warmup.h"
 
 namespace patina {
 
-std::shared_ptr<const Metric> WarmupMeeting::meet(int chain, Eigen::MatrixXd positions,
-                                                  const std::stop_token& stop) {
+KernelSettings WarmupMeeting::meet(int chain, WindowResult result, const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  positions_[static_cast<std::size_t>(chain)] = std::move(positions);
+  results_[static_cast<std::size_t>(chain)] = std::move(result);
   const int meeting = meetings_;
-  if (++arrived_ == static_cast<int>(positions_.size())) {
-    metric_ = std::make_shared<const Metric>(pooled_covariance(positions_));
+  if (++arrived_ == static_cast<int>(results_.size())) {
+    pooled_ = pool(results_, kind_);
     arrived_ = 0;
     ++meetings_;
     complete_.notify_all();
   } else if (!complete_.wait(lock, stop, [&] { return meetings_ > meeting; })) {
     throw RunStopped();
   }
-  // Nobody can start the next meeting's metric before all have left this one with theirs.
-  return metric_;
+  // Nobody can start the next meeting's settings before all have left this one with theirs.
+  return pooled_;
 }
 
 }  // namespace patina

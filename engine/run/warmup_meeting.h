@@ -1,35 +1,35 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <stop_token>
 #include <vector>
 
-#include "engine/sampling/metric.h"
+#include "engine/sampling/warmup.h"
 
 namespace patina {
 
-/// Where chains meet at the end of a warm-up window to pool what they saw into one metric. The result does
+/// Where chains meet at the end of a warm-up window to pool what they saw into one metric and one step
+/// size. The result does
 /// not depend on who comes when.
 class WarmupMeeting {
  public:
-  explicit WarmupMeeting(int chains) : positions_(static_cast<std::size_t>(chains)) {}
+  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense)
+      : kind_(kind), results_(static_cast<std::size_t>(chains)) {}
 
-  /// Waits for all chains. @param positions  of this chain's window (dimension x transitions)
-  /// @return the metric that all chains go on with
+  /// Waits for all chains. @param result  of this chain's window
+  /// @return the metric and the step size that all chains go on with: pool() of all results
   /// @throws RunStopped if the run is stopped meanwhile
-  std::shared_ptr<const Metric> meet(int chain, Eigen::MatrixXd positions, const std::stop_token& stop);
+  KernelSettings meet(int chain, WindowResult result, const std::stop_token& stop);
 
  private:
+  MetricKind kind_;
   std::mutex mutex_;
   std::condition_variable_any complete_;
-  std::vector<Eigen::MatrixXd> positions_;
+  std::vector<WindowResult> results_;
   int arrived_ = 0;
   int meetings_ = 0;
-  std::shared_ptr<const Metric> metric_;
+  KernelSettings pooled_;
 };
 
 }  // namespace patina

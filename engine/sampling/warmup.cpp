@@ -1,6 +1,7 @@
 #include "engine/sampling/warmup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace patina {
@@ -38,21 +39,31 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
   settings_.step_size = step_size_.step_size();
 }
 
-Eigen::MatrixXd ChainWarmup::take_positions() {
-  if (positions_.empty()) return {};
-  Eigen::MatrixXd matrix(positions_.front().size(), positions_.size());
-  for (std::size_t i = 0; i < positions_.size(); ++i) matrix.col(i) = positions_[i];
+WindowResult ChainWarmup::take_window() {
+  WindowResult result{Eigen::MatrixXd(settings_.metric->dimension(), positions_.size()),
+                      step_size_.averaged_step_size()};
+  for (std::size_t i = 0; i < positions_.size(); ++i) result.positions.col(i) = positions_[i];
   positions_.clear();
-  return matrix;
+  return result;
 }
 
-void ChainWarmup::set_metric(std::shared_ptr<const Metric> metric) {
-  settings_.metric = std::move(metric);
-  step_size_.restart(step_size_.averaged_step_size());
-  settings_.step_size = step_size_.step_size();
+void ChainWarmup::restart(const KernelSettings& pooled) {
+  settings_ = pooled;
+  step_size_.restart(pooled.step_size);
 }
 
-KernelSettings ChainWarmup::frozen() const { return {step_size_.averaged_step_size(), settings_.metric}; }
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind) {
+  std::vector<Eigen::MatrixXd> positions;
+  std::vector<double> steps;
+  for (const WindowResult& chain : chains) {
+    positions.push_back(chain.positions);
+    steps.push_back(chain.step_size);
+  }
+  std::ranges::sort(steps);
+  const std::size_t n = steps.size();
+  const double step = std::sqrt(steps[(n - 1) / 2] * steps[n / 2]);
+  return {step, std::make_shared<const Metric>(restricted(pooled_covariance(positions), kind))};
+}
 
 Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains) {
   Eigen::Index dimension = 0, count = 0, degrees_of_freedom = 0;

@@ -30,6 +30,19 @@ std::vector<WarmupWindow> warmup_schedule(int iterations);
 double initial_step_size(const LogDensity& target, const KernelSettings& settings, const ChainState& state,
                          Rng& rng);
 
+/// What one chain brings to the end of a window.
+struct WindowResult {
+  Eigen::MatrixXd positions;  ///< dimension x transitions
+  double step_size = 0;       ///< averaged over the window, as dual averaging has it
+};
+
+/// What all chains make of a window: the metric of their pooled covariance, and the median of their step
+/// sizes (in logs). A window holds few transitions, and one chain's estimate of the step scatters so much
+/// that some chains would be frozen far from the acceptance that was asked for; the median is not moved by a
+/// chain that is stuck.
+/// @param chains  not empty
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind);
+
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {
  public:
@@ -41,15 +54,12 @@ class ChainWarmup {
   /// Once after each transition. Step-size adaptation looks at continuous moves only.
   void observe(const ChainState& state, const TransitionInfo& info);
 
-  /// Positions seen since the last call (dimension x transitions); clears them. To be called at the end of
-  /// every window, so that those of a window that does not adapt the metric are left out.
-  Eigen::MatrixXd take_positions();
+  /// To be called at the end of every window, so that positions of a window that does not adapt the metric
+  /// are left out of the next.
+  WindowResult take_window();
 
-  /// Installs the pooled metric and restarts the step-size search from the averaged step.
-  void set_metric(std::shared_ptr<const Metric> metric);
-
-  /// The settings to sample with: the averaged step size, the last metric.
-  KernelSettings frozen() const;
+  /// Installs the pooled metric and restarts the step-size search from the pooled step.
+  void restart(const KernelSettings& pooled);
 
  private:
   KernelSettings settings_;

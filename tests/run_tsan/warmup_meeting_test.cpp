@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 
 constexpr int kChains = 3;
 
-Eigen::MatrixXd positions(int chain, int meeting) {
+WindowResult result(int chain, int meeting) {
   Eigen::MatrixXd matrix(2, 20);
   for (int i = 0; i < 20; ++i)
     matrix.col(i) << std::sin(7 * i + chain), (meeting + 1) * std::cos(3 * i * chain);
-  return matrix;
+  return {matrix, 0.1 * (chain + 1) + meeting};
 }
 
-TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
+TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
   constexpr int kMeetings = 50;
   WarmupMeeting meeting(kChains);
   const std::stop_source never;
@@ -32,11 +32,13 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithTheMetricPooledOverAll) {
   for (int k = 0; k < kChains; ++k)
     chains.emplace_back([&, k] {
       for (int m = 0; m < kMeetings; ++m) {
-        std::vector<Eigen::MatrixXd> all;
-        for (int other = 0; other < kChains; ++other) all.push_back(positions(other, m));
+        std::vector<WindowResult> all;
+        for (int other = 0; other < kChains; ++other) all.push_back(result(other, m));
         if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
-        const auto metric = meeting.meet(k, positions(k, m), never.get_token());
-        right += metric->covariance() == pooled_covariance(all);
+        const KernelSettings pooled = meeting.meet(k, result(k, m), never.get_token());
+        const KernelSettings expected = pool(all, MetricKind::dense);
+        right += pooled.metric->covariance() == expected.metric->covariance() &&
+                 pooled.step_size == expected.step_size;
       }
     });
   chains.clear();
@@ -51,7 +53,7 @@ TEST(WarmupMeeting, AStopReleasesTheChainsThatWait) {
   for (int k = 0; k + 1 < kChains; ++k)  // the last one never comes
     chains.emplace_back([&, k] {
       try {
-        meeting.meet(k, positions(k, 0), stop.get_token());
+        meeting.meet(k, result(k, 0), stop.get_token());
       } catch (const RunStopped&) {
         ++released;
       }

@@ -86,10 +86,11 @@ TEST(ChainWarmup, reaches_the_target_acceptance_of_mala_on_a_gaussian) {
   Rng rng(61);
   ChainState state = state_at(target, {Eigen::VectorXd::Zero(8), {}});
   for (int t = 0; t < 1500; ++t) warmup.observe(state, kernel->step(target, warmup.settings(), state, rng));
+  const KernelSettings frozen{warmup.take_window().step_size, warmup.settings().metric};
   double acceptance = 0;
   constexpr int draws = 4000;
   for (int t = 0; t < draws; ++t)
-    acceptance += kernel->step(target, warmup.frozen(), state, rng).accept_probability / draws;
+    acceptance += kernel->step(target, frozen, state, rng).accept_probability / draws;
   EXPECT_NEAR(acceptance, 0.574, 0.04);
 }
 
@@ -100,23 +101,41 @@ TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
   info.move = MoveKind::discrete;
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
   EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.3);
-  EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.3);
-  EXPECT_EQ(warmup.take_positions().cols(), 10);
-  EXPECT_EQ(warmup.take_positions().cols(), 0) << "taken twice";
+  const WindowResult window = warmup.take_window();
+  EXPECT_DOUBLE_EQ(window.step_size, 0.3);
+  EXPECT_EQ(window.positions.cols(), 10);
+  EXPECT_EQ(warmup.take_window().positions.cols(), 0) << "taken twice";
 }
 
-TEST(ChainWarmup, restarts_the_step_size_when_it_gets_a_metric) {
+TEST(ChainWarmup, goes_on_from_what_was_pooled) {
   ChainWarmup warmup(settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), 0.574);
   const ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
   TransitionInfo info;
   info.accept_probability = 0.9;
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
-  const double averaged = warmup.frozen().step_size;
-  const auto metric = std::make_shared<const Metric>(Eigen::MatrixXd::Constant(1, 1, 4));
-  warmup.set_metric(metric);
-  EXPECT_DOUBLE_EQ(warmup.settings().step_size, averaged);
-  EXPECT_EQ(warmup.settings().metric, metric);
-  EXPECT_EQ(warmup.frozen().metric, metric);
+  EXPECT_NE(warmup.settings().step_size, 0.3);
+  const KernelSettings pooled = settings_with(0.7, Eigen::MatrixXd::Constant(1, 1, 4));
+  warmup.restart(pooled);
+  EXPECT_EQ(warmup.settings().metric, pooled.metric);
+  EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.7);
+  EXPECT_DOUBLE_EQ(warmup.take_window().step_size, 0.7);
+}
+
+TEST(Pool, takes_the_median_step_in_logs_and_the_kind_of_metric_that_was_asked_for) {
+  Rng rng(65);
+  std::vector<WindowResult> chains;
+  for (const double step : {0.9, 1e-6, 0.4, 0.1}) chains.push_back({Eigen::MatrixXd(2, 50), step});
+  for (WindowResult& chain : chains)
+    for (auto column : chain.positions.colwise()) column = Metric(some_covariance(2)).colour(rng.normals(2));
+  EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, std::sqrt(0.1 * 0.4));
+  const Eigen::Matrix2d dense = pool(chains, MetricKind::dense).metric->covariance();
+  const Eigen::Matrix2d diagonal = pool(chains, MetricKind::diagonal).metric->covariance();
+  EXPECT_NE(dense(0, 1), 0);
+  EXPECT_EQ(diagonal(0, 1), 0);
+  EXPECT_EQ(diagonal.diagonal(), dense.diagonal());
+  EXPECT_EQ(pool(chains, MetricKind::identity).metric->covariance(), Eigen::Matrix2d::Identity());
+  chains.pop_back();
+  EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, 0.4);
 }
 
 TEST(PooledCovariance, is_the_shrunk_within_chain_covariance) {
