@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/sampling/kernels.h"
+#include "tests/sampling/chain_runner.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -55,18 +57,25 @@ TEST(StepSizeAdaptation, solves_acceptance_equal_to_target_on_a_known_curve) {
   }
 }
 
-TEST(StepSizeAdaptation, takes_the_published_steps) {
-  // Hoffman & Gelman 2014, equation 6 with the error of one, then two observations, and mu = log(10 * 0.5).
-  StepSizeAdaptation adaptation(0.5, 0.574);
+/// Hoffman & Gelman 2014, equation 6, after an acceptance of 0.9, then one of 0.2.
+void expect_published_steps(StepSizeAdaptation adaptation, double gamma, double mu) {
   adaptation.observe(0.9);
-  const double first = std::log(5.0) - 1 / 0.05 * (0.574 - 0.9) / 11;
+  const double first = mu - 1 / gamma * (0.574 - 0.9) / 11;
   EXPECT_NEAR(std::log(adaptation.step_size()), first, 1e-12);
   EXPECT_NEAR(std::log(adaptation.averaged_step_size()), first, 1e-12);
   adaptation.observe(0.2);
-  const double second = std::log(5.0) - std::sqrt(2) / 0.05 * (2 * 0.574 - 0.9 - 0.2) / 12;
+  const double second = mu - std::sqrt(2) / gamma * (2 * 0.574 - 0.9 - 0.2) / 12;
   EXPECT_NEAR(std::log(adaptation.step_size()), second, 1e-12);
   const double weight = std::pow(2, -0.75);
   EXPECT_NEAR(std::log(adaptation.averaged_step_size()), weight * second + (1 - weight) * first, 1e-12);
+}
+
+TEST(StepSizeAdaptation, takes_the_published_steps_at_first_and_gentler_ones_after_a_restart) {
+  StepSizeAdaptation adaptation(0.5, 0.574);
+  expect_published_steps(adaptation, 0.05, std::log(5.0));
+  adaptation.observe(0.3);
+  adaptation.restart(0.2);
+  expect_published_steps(adaptation, 0.4, std::log(0.2));
 }
 
 TEST(StepSizeAdaptation, takes_not_a_number_for_a_rejection) {
@@ -92,6 +101,45 @@ TEST(ChainWarmup, reaches_the_target_acceptance_of_mala_on_a_gaussian) {
   for (int t = 0; t < draws; ++t)
     acceptance += kernel->step(target, frozen, state, rng).accept_probability / draws;
   EXPECT_NEAR(acceptance, 0.574, 0.04);
+}
+
+/// N(0, C) in 13 dimensions, as many as the leather has, with a table of levels that all weigh the same.
+FunctionTarget gaussian_with_levels() {
+  const Eigen::MatrixXd precision = some_covariance(13).inverse();
+  return {13,
+          [precision](const Position& p) {
+            const Eigen::VectorXd gradient = -precision * p.continuous;
+            return Evaluation{0.5 * p.continuous.dot(gradient), gradient};
+          },
+          {3, 4}};
+}
+
+TEST(Warmup, leaves_every_chain_near_the_acceptance_that_its_kernel_asks_for) {
+  // With the default mixture a bit more than half of the transitions teach the step size anything.
+  const FunctionTarget target = gaussian_with_levels();
+  const Metric truth(some_covariance(13));
+  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(13))); };
+  for (const std::string& name : kernel_names())
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+      const auto kernel = make_kernel(name, target, 0.8, 0.3);
+      const ChainsDrawn drawn =
+          ChainRunner(target, *kernel, {.seed = seed}, start, Metric::identity(13)).run();
+      const double wanted = kernel->target_acceptance();
+      for (const double acceptance : drawn.acceptance)
+        EXPECT_NEAR(acceptance, wanted, name == "nuts" || name == "hmc" ? 0.08 : 0.13) << name;
+    }
+}
+
+TEST(InitialStepSize, brackets_an_acceptance_of_eighty_per_cent) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    const GaussianTarget target(Eigen::VectorXd::Zero(8), scale * scale * Eigen::MatrixXd::Identity(8, 8));
+    const KernelSettings settings = settings_with(0.5, Eigen::MatrixXd::Identity(8, 8));
+    Rng rng(66);
+    const ChainState state = state_at(target, {scale * rng.normals(8), {}});
+    const double step = initial_step_size(target, settings, state, rng);
+    EXPECT_GT(step, 0.1 * scale);
+    EXPECT_LT(step, 8 * scale);
+  }
 }
 
 TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
