@@ -7,7 +7,6 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
-#include "engine/material/registry.h"
 #include "engine/run/chain.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/first_line.h"
@@ -63,7 +62,6 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
                        const std::filesystem::path& directory, std::function<void()> wake)
     : directory_(directory), settings_(settings), photo_(photo.image), shared_(std::move(wake)) {
   check_settings(settings_, photo);
-  if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
   posteriors_.push_back(std::make_unique<Posterior>(
@@ -163,7 +161,8 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh);
+  const auto kernel =
+      make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh, settings_.discrete);
   const ChainPlan plan{settings_,
                        table_,
                        target,
@@ -172,7 +171,7 @@ void SamplerRun::sample(const ModeFound& found) {
                        found.mode,
                        found.laplace,
                        directory_};
-  WarmupMeeting meeting(settings_.chains, plan.laplace);
+  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric));
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < settings_.chains; ++k)
     shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });

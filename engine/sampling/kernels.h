@@ -31,11 +31,14 @@ std::unique_ptr<Kernel> make_nuts(int deepest = 10);
 /// DiscreteSample).
 std::unique_ptr<Kernel> make_discrete_move();
 
+/// Proposes another level, uniform over the others, for one discrete coordinate, uniform over those that have
+/// others. Where coordinates matter separately, it is accepted far more often than a joint proposal.
+std::unique_ptr<Kernel> make_single_discrete_move();
+
 /// Moves one continuous coordinate, chosen at random with jagged ones preferred, towards a fresh draw from
-/// N(0, 1): x' = sqrt(1 - b^2) x
-/// + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White
-/// 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat directions, and from one basin to
-/// another, in one step, which no local move does. Valid for any target.
+/// N(0, 1): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson;
+/// Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat
+/// directions, and from one basin to another, in one step, which no local move does. Valid for any target.
 std::unique_ptr<Kernel> make_refresh_move();
 
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
@@ -48,13 +51,17 @@ std::unique_ptr<Kernel> make_smooth_block(std::unique_ptr<Kernel> kernel);
 
 std::vector<std::string> kernel_names();
 
+/// "joint": make_discrete_move(); "single": make_single_discrete_move().
+std::vector<std::string> discrete_names();
+
 /// The kernel for a target: the named continuous one, on the smooth coordinates, mixed with refresh moves,
 /// and with discrete moves where the target has discrete coordinates.
 /// @param alpha    probability of a continuous move (named or refresh) where there are discrete coordinates,
 /// (0, 1]
 /// @param refresh  probability that a continuous move is a refresh move, [0, 1)
+/// @param discrete  of discrete_names()
 /// @throws std::invalid_argument for an unknown name or a probability out of range
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
-                                    double refresh = 0);
+                                    double refresh = 0, const std::string& discrete = "joint");
 
 }  // namespace patina

@@ -23,18 +23,25 @@ struct WarmupWindow {
 /// size alone, for 0 none. As in the Stan reference manual, section "Automatic parameter tuning".
 std::vector<WarmupWindow> warmup_schedule(int iterations);
 
-/// What one chain brings to the end of a window.
-struct WindowReport {
-  Eigen::MatrixXd positions;  ///< dimension x transitions
-  double step_size = 0;       ///< averaged over the window
-};
-
 /// A step size to begin warm-up with (Hoffman & Gelman 2014, algorithm 4): doubles or halves
 /// settings.step_size until the acceptance probability of one leapfrog step crosses 0.8. Takes a handful of
 /// evaluations.
 /// @param state  of finite log density
 double initial_step_size(const LogDensity& target, const KernelSettings& settings, const ChainState& state,
                          Rng& rng);
+
+/// What one chain brings to the end of a window.
+struct WindowResult {
+  Eigen::MatrixXd positions;  ///< dimension x transitions
+  double step_size = 0;       ///< averaged over the window, as dual averaging has it
+};
+
+/// What all chains make of a window: the metric of their pooled covariance, and the median of their step
+/// sizes (in logs). A window holds few transitions, and one chain's estimate of the step scatters so much
+/// that some chains would be frozen far from the acceptance that was asked for; the median is not moved by a
+/// chain that is stuck.
+/// @param chains  not empty
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind);
 
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {
@@ -47,15 +54,12 @@ class ChainWarmup {
   /// Once after each transition. Step-size adaptation looks at continuous moves only.
   void observe(const ChainState& state, const TransitionInfo& info);
 
-  /// At the end of every window. Forgets the positions, so that the next report has those of its window
-  /// alone.
-  WindowReport report();
+  /// To be called at the end of every window, so that positions of a window that does not adapt the metric
+  /// are left out of the next.
+  WindowResult take_window();
 
-  /// Goes on with what all chains pooled: from its step size the search starts anew.
-  void adopt(const KernelSettings& pooled);
-
-  /// The settings to sample with: the averaged step size, the last metric.
-  KernelSettings frozen() const;
+  /// Installs the pooled metric and restarts the step-size search from the pooled step.
+  void restart(const KernelSettings& pooled);
 
  private:
   KernelSettings settings_;
@@ -63,12 +67,6 @@ class ChainWarmup {
   bool adapts_step_size_;
   std::vector<Eigen::VectorXd> positions_;
 };
-
-/// What all chains go on with after a window: the geometric mean of their step sizes, since each has seen few
-/// moves alone, and after a window that adapts it the metric of their pooled covariance, else the metric as
-/// it was.
-KernelSettings pooled(const std::vector<WindowReport>& chains, bool adapts_metric,
-                      std::shared_ptr<const Metric> metric);
 
 /// Covariance pooled over chains: within-chain covariances averaged (between-chain spread of unconverged
 /// chains left out), shrunk as Stan does: n/(n+5) S + 1e-3 5/(n+5) I. @param chains one matrix per chain,
