@@ -19,7 +19,7 @@ std::unique_ptr<Kernel> make_random_walk();
 /// @param path_length  mean length of a trajectory in standard deviations (as the metric has them)
 /// @param most_steps   bound on the number of steps, and so of evaluations
 /// @throws std::invalid_argument unless both are positive
-std::unique_ptr<Kernel> make_hmc(double path_length = 1.2, int most_steps = 64);
+std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 64);
 
 /// The no-U-turn sampler (Hoffman & Gelman 2014) as Stan has it: multinomial draws and the generalised
 /// criterion of Betancourt 2017 ("A conceptual introduction to Hamiltonian Monte Carlo", appendix A).
