@@ -171,7 +171,10 @@ void SamplerRun::sample(const ModeFound& found) {
                        found.mode,
                        found.laplace,
                        directory_};
-  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric));
+  // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
+  // known.
+  const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
+  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric), laplace_worth);
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < settings_.chains; ++k)
     shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });

@@ -14,8 +14,9 @@ namespace patina {
 /// not depend on who comes when.
 class WarmupMeeting {
  public:
-  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense)
-      : kind_(kind), results_(static_cast<std::size_t>(chains)) {}
+  /// @param metric_worth  as pool() has it
+  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense, double metric_worth = 0)
+      : kind_(kind), metric_worth_(metric_worth), results_(static_cast<std::size_t>(chains)) {}
 
   /// Waits for all chains. @param result  of this chain's window
   /// @return the metric and the step size that all chains go on with: pool() of all results
@@ -24,6 +25,7 @@ class WarmupMeeting {
 
  private:
   MetricKind kind_;
+  double metric_worth_;
   std::mutex mutex_;
   std::condition_variable_any complete_;
   std::vector<WindowResult> results_;

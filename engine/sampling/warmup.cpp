@@ -41,7 +41,7 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
 
 WindowResult ChainWarmup::take_window() {
   WindowResult result{Eigen::MatrixXd(settings_.metric->dimension(), positions_.size()),
-                      step_size_.averaged_step_size()};
+                      step_size_.averaged_step_size(), settings_.metric};
   for (std::size_t i = 0; i < positions_.size(); ++i) result.positions.col(i) = positions_[i];
   positions_.clear();
   return result;
@@ -52,17 +52,24 @@ void ChainWarmup::restart(const KernelSettings& pooled) {
   step_size_.restart(pooled.step_size);
 }
 
-KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind) {
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth) {
   std::vector<Eigen::MatrixXd> positions;
   std::vector<double> steps;
+  double transitions = 0;
   for (const WindowResult& chain : chains) {
+    transitions += static_cast<double>(chain.positions.cols());
     positions.push_back(chain.positions);
     steps.push_back(chain.step_size);
   }
   std::ranges::sort(steps);
   const std::size_t n = steps.size();
   const double step = std::sqrt(steps[(n - 1) / 2] * steps[n / 2]);
-  return {step, std::make_shared<const Metric>(restricted(pooled_covariance(positions), kind))};
+  Eigen::MatrixXd covariance = pooled_covariance(positions);
+  if (metric_worth > 0) {
+    const double share = metric_worth / (transitions + metric_worth);
+    covariance += share * (chains.front().metric->covariance() - covariance);
+  }
+  return {step, std::make_shared<const Metric>(restricted(covariance, kind))};
 }
 
 Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains) {

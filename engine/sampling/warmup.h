@@ -32,16 +32,22 @@ double initial_step_size(const LogDensity& target, const KernelSettings& setting
 
 /// What one chain brings to the end of a window.
 struct WindowResult {
-  Eigen::MatrixXd positions;  ///< dimension x transitions
-  double step_size = 0;       ///< averaged over the window, as dual averaging has it
+  Eigen::MatrixXd positions;             ///< dimension x transitions
+  double step_size = 0;                  ///< averaged over the window, as dual averaging has it
+  std::shared_ptr<const Metric> metric;  ///< that the window was run with
 };
 
 /// What all chains make of a window: the metric of their pooled covariance, and the median of their step
 /// sizes (in logs). A window holds few transitions, and one chain's estimate of the step scatters so much
 /// that some chains would be frozen far from the acceptance that was asked for; the median is not moved by a
 /// chain that is stuck.
+///
+/// A metric to begin with that is known to be about right, such as Laplace's, is worth more than what slow
+/// chains see in a short window: MALA in 23 dimensions, after 300 iterations of warm-up, has seven times the
+/// ESS when it is kept in part.
 /// @param chains  not empty
-KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind);
+/// @param metric_worth  the number of transitions that the window's own metric weighs as much as
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth = 0);
 
 /// One chain's part of a warm-up: sees (state, info) only, yields settings. Used on that chain's thread.
 class ChainWarmup {

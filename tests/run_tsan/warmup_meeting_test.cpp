@@ -20,7 +20,7 @@ WindowResult result(int chain, int meeting) {
   Eigen::MatrixXd matrix(2, 20);
   for (int i = 0; i < 20; ++i)
     matrix.col(i) << std::sin(7 * i + chain), (meeting + 1) * std::cos(3 * i * chain);
-  return {matrix, 0.1 * (chain + 1) + meeting};
+  return {matrix, 0.1 * (chain + 1) + meeting, nullptr};
 }
 
 TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {

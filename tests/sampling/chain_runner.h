@@ -26,6 +26,7 @@ struct RunPlan {
   int chains = 4, warmup = 1000, draws = 1000;
   MetricKind metric = MetricKind::dense;
   std::uint64_t seed = 1;
+  double metric_worth = 0;  ///< of the metric that warm-up begins with, see pool()
 };
 
 class ChainRunner {
@@ -73,7 +74,7 @@ class ChainRunner {
                                kernel_.step(target_, chain.warmup.settings(), chain.state, chain.rng));
         results.push_back(chain.warmup.take_window());
       }
-      const KernelSettings pooled = pool(results, plan_.metric);
+      const KernelSettings pooled = pool(results, plan_.metric, plan_.metric_worth);
       for (OneChain& chain : chains_) {
         if (window.adapts_metric) chain.warmup.restart(pooled);
         chain.frozen = {pooled.step_size, chain.warmup.settings().metric};

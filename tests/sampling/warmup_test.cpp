@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
 #include "tests/sampling/chain_runner.h"
 #include "tests/sampling/targets.h"
@@ -172,7 +175,7 @@ TEST(ChainWarmup, goes_on_from_what_was_pooled) {
 TEST(Pool, takes_the_median_step_in_logs_and_the_kind_of_metric_that_was_asked_for) {
   Rng rng(65);
   std::vector<WindowResult> chains;
-  for (const double step : {0.9, 1e-6, 0.4, 0.1}) chains.push_back({Eigen::MatrixXd(2, 50), step});
+  for (const double step : {0.9, 1e-6, 0.4, 0.1}) chains.push_back({Eigen::MatrixXd(2, 50), step, nullptr});
   for (WindowResult& chain : chains)
     for (auto column : chain.positions.colwise()) column = Metric(some_covariance(2)).colour(rng.normals(2));
   EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, std::sqrt(0.1 * 0.4));
@@ -184,6 +187,32 @@ TEST(Pool, takes_the_median_step_in_logs_and_the_kind_of_metric_that_was_asked_f
   EXPECT_EQ(pool(chains, MetricKind::identity).metric->covariance(), Eigen::Matrix2d::Identity());
   chains.pop_back();
   EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, 0.4);
+}
+
+TEST(Pool, keeps_the_windows_metric_in_proportion_to_its_worth) {
+  Rng rng(67);
+  const auto metric = std::make_shared<const Metric>(some_covariance(3));
+  std::vector<WindowResult> chains(3, {Eigen::MatrixXd(3, 20), 0.5, metric});
+  for (WindowResult& chain : chains)
+    for (auto column : chain.positions.colwise()) column = rng.normals(3);
+  const Eigen::Matrix3d seen = pool(chains, MetricKind::dense).metric->covariance();
+  const Eigen::Matrix3d kept = pool(chains, MetricKind::dense, 180).metric->covariance();
+  EXPECT_TRUE(kept.isApprox(0.25 * seen + 0.75 * some_covariance(3), 1e-12));
+}
+
+TEST(Warmup, that_is_short_gains_from_a_metric_that_is_about_right) {
+  const Metric truth(some_covariance(23));
+  const GaussianTarget target(Eigen::VectorXd::Zero(23), truth.covariance());
+  const Metric about_right(1.3 * truth.covariance() + 0.02 * Eigen::MatrixXd::Identity(23, 23));
+  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(23))); };
+  const auto least_ess = [&](double worth) {
+    const RunPlan plan{.warmup = 200, .draws = 3000, .metric_worth = worth};
+    double least = 1e300;
+    for (const auto& x : ChainRunner(target, *make_mala(), plan, start, about_right).run().coordinates)
+      least = std::min(least, mean_ess(x));
+    return least;
+  };
+  EXPECT_GT(least_ess(230), 2 * least_ess(0));
 }
 
 TEST(PooledCovariance, is_the_shrunk_within_chain_covariance) {
