@@ -43,6 +43,9 @@ class Irregularities {
   /// cells(cell_choice) and noise(noise_choice) as the two channels of one map.
   MipMap cells_and_noise(int cell_choice, int noise_choice) const;
 
+  /// Flakes: their slopes along x and y and those' variance, three channels, float32 (flake_map.h).
+  MipMap flakes() const;
+
  private:
   struct Cache;
   std::unique_ptr<Cache> cache_;

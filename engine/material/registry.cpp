@@ -5,7 +5,10 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/material/bump.h"
+#include "engine/material/flake.h"
 #include "engine/material/leather.h"
+#include "engine/material/metal.h"
+#include "engine/material/plaster.h"
 #include "engine/material/prior_file.h"
 
 namespace patina {
@@ -25,7 +28,9 @@ Entry entry(const char* name) {
 }
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{entry<Bump>("bump"), entry<Leather>("leather")};
+  static const std::vector<Entry> all{entry<Bump>("bump"), entry<Leather>("leather"),
+                                      entry<Plaster>("plaster"), entry<Flake>("flake"),
+                                      entry<Metal>("metal")};
   return all;
 }
 
