@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
+#include "engine/material/registry.h"
 #include "engine/run/chain.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/first_line.h"
@@ -62,6 +63,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
                        const std::filesystem::path& directory, std::function<void()> wake)
     : directory_(directory), settings_(settings), photo_(photo.image), shared_(std::move(wake)) {
   check_settings(settings_, photo);
+  if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
   posteriors_.push_back(std::make_unique<Posterior>(
