@@ -20,7 +20,7 @@ namespace {
 
 // Any numbers will do. That of the noise was chosen among six: with it, seed 1 has a plateau of plaster in
 // the middle of the sample, where the highlight shows it, as the reference renders have.
-enum Stream : std::uint64_t { kPhases = 1, kNoise = 140, kCells = 200, kFlakes = 300 };
+enum Stream : std::uint64_t { kPhases = 1, kNoise = 140, kCells = 200, kFlakes = 300, kWood = 400 };
 
 // Larger grids are for export, once.
 constexpr int kLargestKept = 1024;
@@ -62,6 +62,7 @@ struct Irregularities::Cache {
   std::array<MipMap, kMapChoices> noise, cells;
   std::array<MipMap, kMapChoices * kMapChoices> cells_and_noise;
   MipMap flakes;
+  WoodNoise wood;
 
   /// The value kept at `place`, made now if there is none. A tensor born in inference mode could never serve
   /// a gradient.
@@ -114,6 +115,17 @@ MipMap Irregularities::cells_and_noise(int cell_choice, int noise_choice) const 
 
 MipMap Irregularities::flakes() const {
   return cache_->keep(cache_->flakes, [&] { return make_flake_map(cache_->seed, kFlakes, kMapSize); });
+}
+
+WoodNoise Irregularities::wood() const {
+  constexpr int kPeriod = 128, kVolumePeriod = 32;
+  const std::lock_guard lock(cache_->mutex);
+  const c10::InferenceMode normal_mode(false);
+  if (cache_->wood.streaks.levels.empty())
+    cache_->wood = {.ring_widths = make_value_noise(cache_->seed, kWood, 1, kPeriod),
+                    .streaks = make_value_noise(cache_->seed, kWood + 1, kPeriod, kPeriod),
+                    .distortion = make_noise_volume(cache_->seed, kWood + 2, 2, kVolumePeriod)};
+  return cache_->wood;
 }
 
 }  // namespace patina

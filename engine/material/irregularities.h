@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "engine/material/look_up.h"
+#include "engine/material/value_noise.h"
 
 namespace patina {
 
@@ -15,6 +16,13 @@ namespace patina {
 struct Phasors {
   at::Tensor forward;   ///< at f
   at::Tensor mirrored;  ///< the conjugate of that at -f
+};
+
+/// The irregularities of wood (models.md, "The maps").
+struct WoodNoise {
+  ValueNoise ring_widths;  ///< G1, along x
+  ValueNoise streaks;      ///< G2
+  at::Tensor distortion;   ///< G3: a volume of two channels, x and y (value_noise.h)
 };
 
 /// The random input z of every material, all of it a pure function of one seed: where the bumps, cells and
@@ -45,6 +53,8 @@ class Irregularities {
 
   /// Flakes: their slopes along x and y and those' variance, three channels, float32 (flake_map.h).
   MipMap flakes() const;
+
+  WoodNoise wood() const;
 
  private:
   struct Cache;

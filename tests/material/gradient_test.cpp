@@ -43,7 +43,7 @@ TEST_P(EveryMaterial, GradientAgreesWithCentralDifferencesOfEveryParameter) {
     const at::Tensor analytic = gradient(*material, at, at::kDouble);
     for (std::size_t i = 0; i < at.size(); ++i) {
       const Parameter& parameter = material->table().continuous[i];
-      const double width = parameter.prior.high - parameter.prior.low, step = 1e-7 * width;
+      const double width = parameter.prior.high - parameter.prior.low, step = 1e-8 * width;
       std::vector<double> above = at, below = at;
       above[i] += step;
       below[i] -= step;

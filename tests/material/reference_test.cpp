@@ -113,7 +113,10 @@ bool is_left_to_chance(const Reference& reference) {
 
 // What a spread over three z leaves open, in 8-bit levels and in log energy. The references' cells and noise
 // are other maps than ours: more of the leathers' detail is coarse, and the noise has fewer spots.
-double level_tolerance(const Reference& reference) { return is_left_to_chance(reference) ? 10 : 1; }
+double level_tolerance(const Reference& reference) {
+  if (is_left_to_chance(reference)) return 10;
+  return reference.material == "wood" ? 2.5 : 1;  // wherever its few rings meet the highlight
+}
 
 double log_energy_tolerance(const Reference& reference) {
   if (is_left_to_chance(reference)) return 0.5;
@@ -130,7 +133,7 @@ const Changes& changes(const std::string& material) {
   static const std::map<std::string, Changes> all{
       {"bump", {{{"fsigma", 1.5}}, {{"fscale", 0.5}}}},
       {"leather", {{{"scale", 1.5}}, {{"height", 0.5}}}},
-      {"plaster", {{{"slope", 3}}, {{"height", 0.5}}}},  // the noise is scale-free
+      {"plaster", {{{"scale", 0.3}}, {{"height", 0.5}}}},
       {"flake", {{{"scale", 1.5}}, {{"flakeNDF", 0.7}}}},
       {"metal", {{{"fsigmax", 8}}, {{"roughx", 1.2}}}},  // the scratches themselves are finer than the pixels
       {"wood", {{{"ring_size", 1.5}}, {{"lw_power", 0.7}}}}};

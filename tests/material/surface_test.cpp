@@ -128,6 +128,8 @@ TEST_P(EveryMaterialAtTwoSizes, LooksAlikeInEveryBandOfFrequencies) {
   set("scale", 0.15);  // features of several pixels at both sizes
   set("fsigma", 0.5);
   set("noise_scale", 0.001);
+  set("ring_size", 0.8);
+  set("ssn_scale", 2);
   const at::Tensor at = tensor_of(values.continuous, at::kFloat);
   const at::Tensor fine = render(*material, at, values.discrete, 512).mean(0);
   const at::Tensor coarse = render(*material, at, values.discrete, 128).mean(0);

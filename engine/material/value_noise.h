@@ -1,0 +1,37 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace patina {
+
+/// Periodic value noise (Perlin 1985's lattice, values in place of slopes): independent uniform values in
+/// [0,1] at whole coordinates and linear interpolation between them; at all the widths at which it may be
+/// seen: levels[j][i] has runs of 2^i values along x and 2^j along y averaged, and one more row and column
+/// that repeat the first: [1, 1, rows / 2^j + 1, columns / 2^i + 1].
+struct ValueNoise {
+  std::vector<std::vector<at::Tensor>> levels;
+};
+
+/// @param rows, columns  the period, powers of two
+ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, int columns);
+
+/// The noise as pixels see it that are `width_x` by `width_y` coordinates wide: point samples of grain finer
+/// than the pixels would say nothing true. Continuous and differentiable in all its arguments.
+/// @param x, y              [h, w]
+/// @param width_x, width_y  scalars, above 0
+/// @return                  [h, w]
+at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
+                       const at::Tensor& width_x, const at::Tensor& width_y);
+
+/// Value noise in space, of the same values in every direction and not filtered, as a grid with its
+/// repetition: [1, channels, period + 1, period + 1, period + 1].
+at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int channels, int period);
+
+/// @param x, y, z  [h, w]   @return [channels, h, w]
+at::Tensor volume_noise(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                        const at::Tensor& z);
+
+}  // namespace patina

@@ -1,0 +1,122 @@
+#include "engine/material/wood.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/arange.h>
+#include <ATen/ops/hardtanh.h>
+#include <ATen/ops/lerp.h>
+#include <ATen/ops/ones.h>
+#include <ATen/ops/rsub.h>
+#include <ATen/ops/zeros.h>
+#include <ATen/ops/zeros_like.h>
+
+#include <numbers>
+
+#include "engine/material/growth_rings.h"
+#include "engine/material/heightfield.h"
+#include "engine/material/look_up.h"
+#include "engine/material/value_noise.h"
+
+namespace patina {
+namespace {
+
+// Along the trunk the distortion changes ten times more slowly than across it: grain runs straight.
+constexpr double kAlongGrain = 0.1;
+constexpr double kThinnestRing = 1e-3;      // cm
+constexpr double kNarrowestVignette = 0.1;  // cm
+constexpr double kGrainHeight = 0.004;      // cm, of the noise that breaks up the highlight
+
+/// Where the cut meets the trunk, whose axis is z: cm, [n + 1, n + 1] with neighbours (open_normals).
+struct Cut {
+  at::Tensor x, y, z;
+  at::Tensor stretch_y;  ///< scalar: how far y goes per cm of the image's
+};
+
+/// The image's y points down here, as in the paper's code.
+/// @param centre  [3], cm   @param angle  degrees
+Cut cut_through(const at::Tensor& centre, const at::Tensor& angle, double size_cm, int n) {
+  const at::Tensor pixel = at::arange(-1, n + 1, centre.options().requires_grad(false));
+  const at::Tensor place = ((pixel + 0.5) / n - 0.5) * size_cm;
+  const at::Tensor along_x = place.narrow(0, 1, n + 1).view({1, n + 1}).expand({n + 1, n + 1});
+  const at::Tensor along_y = place.narrow(0, 0, n + 1).view({n + 1, 1}).expand({n + 1, n + 1});
+  const at::Tensor radians = angle * (std::numbers::pi / 180);
+  const at::Tensor sine = radians.sin(), cosine = radians.cos();
+  return {along_x + centre[0], along_y * sine + centre[1], along_y * cosine + centre[2], sine.abs()};
+}
+
+/// Moved by a smooth random field: gnarl. @param scale  1/cm   @param amplitude  cm
+Cut distorted(const Cut& cut, const at::Tensor& scale, const at::Tensor& amplitude,
+              const at::Tensor& volume) {
+  const at::Tensor shift =
+      amplitude * volume_noise(volume, cut.x * scale, cut.y * scale, cut.z * (kAlongGrain * scale));
+  return {cut.x + shift[0], cut.y + shift[1], cut.z, cut.stretch_y};
+}
+
+/// Distance from the pith, varying from ring to ring, in rings.
+at::Tensor rings_at(const Cut& cut, const at::Tensor& scale, const at::Tensor& amplitude,
+                    const at::Tensor& ring_size, const ValueNoise& noise, double pixel_cm) {
+  const at::Tensor radius = (cut.x.square() + cut.y.square() + 1e-6).sqrt();
+  const at::Tensor width = (scale * pixel_cm).clamp_min(1e-6);
+  const at::Tensor grown =
+      radius + amplitude * value_noise(noise, scale * radius, at::zeros_like(radius), width, width);
+  return grown / ring_size.clamp_min(kThinnestRing);
+}
+
+/// The same for all wood, and small. @return  [n + 1, n + 1], cm
+at::Tensor fine_grain(const Irregularities& z, const at::TensorOptions& options, int resolution) {
+  const at::TensorOptions constant = options.requires_grad(false);
+  const at::Tensor one = at::ones({}, constant), zero = at::zeros({}, constant);
+  return kGrainHeight * look_up(z.noise(0), one, zero, zero, resolution)[0];
+}
+
+/// x^power for x > 0, whose gradient costs no second power.
+at::Tensor power(const at::Tensor& x, const at::Tensor& exponent) { return (x.log() * exponent).exp(); }
+
+}  // namespace
+
+Signature Wood::signature() {
+  return {{"light",     "albedo_r",  "albedo_g",  "albedo_b",      "center_x",      "center_y",
+           "center_z",  "ring_size", "lw_power",  "lw_fraction",   "ew_ramp_width", "lw_ramp_width",
+           "ssn_scale", "ssn_power", "grn_scale", "grn_amplitude", "gdn_scale",     "gdn_amplitude",
+           "cut_angle", "rough",     "ew_rough",  "lw_height",     "iSigma"},
+          {},
+          // Where rings and streaks, a pixel or two wide, meet the pixels.
+          {"center_x", "center_y", "ring_size", "ssn_scale", "cut_angle"}};
+}
+
+Surface Wood::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z,
+                      const Capture& capture, int resolution) const {
+  const at::Tensor albedo = p.narrow(0, 1, 3).view({3, 1, 1}), centre = p.narrow(0, 4, 3), ring_size = p[7];
+  const at::Tensor lw_power = p[8], ssn_scale = p[12], ssn_power = p[13], grn_scale = p[14],
+                   grn_amplitude = p[15], gdn_scale = p[16], gdn_amplitude = p[17], cut_angle = p[18];
+  const at::Tensor rough = p[19], ew_rough = p[20], lw_height = p[21];
+  const RingProfile profile{.earlywood_ramp = p[10], .latewood_ramp = p[11], .latewood_fraction = p[9]};
+  const WoodNoise noise = z.wood();
+  const double pixel_cm = capture.size_cm / resolution;
+
+  const Cut cut = distorted(cut_through(centre, cut_angle, capture.size_cm, resolution), gdn_scale,
+                            gdn_amplitude, noise.distortion);
+  const at::Tensor rings = rings_at(cut, grn_scale, grn_amplitude, ring_size, noise.ring_widths, pixel_cm);
+  const at::Tensor with_neighbours = latewood_ratio(profile, rings, ring_widths(rings));
+  const at::Tensor latewood = without_neighbours(with_neighbours);
+  // The streaks go with the sample, not with the trunk: that is the same to look at, and a move of the sample
+  // or a little more of the scale does not exchange all of them.
+  const auto across = [&](const at::Tensor& place, int axis) {
+    return (without_neighbours(place) - centre[axis]) * ssn_scale;
+  };
+  const at::Tensor width = ssn_scale * pixel_cm;
+  const at::Tensor streaks = value_noise(noise.streaks, across(cut.x, 0), across(cut.y, 1), width,
+                                         (width * cut.stretch_y).clamp_min(1e-6));
+
+  Surface surface;
+  surface.base_color = power(at::lerp(albedo, power(albedo, lw_power), latewood), ssn_power * streaks + 1);
+  const at::Tensor heights = with_neighbours * lw_height + fine_grain(z, p.options(), resolution);
+  surface.height = without_neighbours(heights);
+  surface.normal = open_normals(heights, pixel_cm);
+  const at::Tensor roughness = at::hardtanh(rough + at::rsub(latewood, 1) * ew_rough, 0, 1);
+  surface.lobes = {dielectric_lobe(surface.normal, roughness)};
+  surface.light = p[0];
+  surface.vignette_sigma = p[22].clamp_min(kNarrowestVignette);
+  return surface;
+}
+
+}  // namespace patina
