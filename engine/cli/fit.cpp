@@ -147,7 +147,8 @@ void add_fit(CLI::App& app, Command& chosen) {
   command.add_option("--kernel", settings.kernel, "Transition of the chains: mh, mala, hmc, nuts")
       ->capture_default_str();
   command
-      .add_option("--metric", settings.metric, "Covariance that warm-up learns: identity, diagonal, dense")
+      .add_option("--metric", settings.metric,
+                  "Covariance that warm-up learns: identity, diagonal, dense, curved")
       ->capture_default_str();
   command.add_option("--discrete", settings.discrete, "Proposal of discrete levels: joint, single")
       ->capture_default_str();

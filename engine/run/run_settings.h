@@ -19,13 +19,13 @@ struct RunSettings {
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "hmc";
-  std::string metric = "dense";    ///< what warm-up learns of the covariance: identity, diagonal or dense
+  std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  int warmup = 500;
-  int draws = 1200;        ///< per chain, after warm-up
+  int warmup = 700;
+  int draws = 2000;        ///< per chain, after warm-up
   double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
-  double refresh = 0.6;    ///< probability that a continuous move refreshes one parameter instead (kernels.h)
+  double refresh = 0.75;   ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;  ///< of the search and the chains
   std::uint64_t z_seed = 1;  ///< of the irregularities
   bool map_only = false;     ///< stop after the search for the mode

@@ -176,7 +176,7 @@ void SamplerRun::sample(const ModeFound& found) {
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
-  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric), laplace_worth);
+  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric), laplace_worth, target.jagged());
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < settings_.chains; ++k)
     shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });

@@ -11,7 +11,7 @@ KernelSettings WarmupMeeting::meet(int chain, WindowResult result, const std::st
   results_[static_cast<std::size_t>(chain)] = std::move(result);
   const int meeting = meetings_;
   if (++arrived_ == static_cast<int>(results_.size())) {
-    pooled_ = pool(results_, kind_, metric_worth_);
+    pooled_ = pool(results_, kind_, metric_worth_, jagged_);
     arrived_ = 0;
     ++meetings_;
     complete_.notify_all();

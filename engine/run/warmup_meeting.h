@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "engine/sampling/warmup.h"
@@ -14,9 +15,13 @@ namespace patina {
 /// not depend on who comes when.
 class WarmupMeeting {
  public:
-  /// @param metric_worth  as pool() has it
-  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense, double metric_worth = 0)
-      : kind_(kind), metric_worth_(metric_worth), results_(static_cast<std::size_t>(chains)) {}
+  /// @param metric_worth, jagged  as pool() has them
+  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense, double metric_worth = 0,
+                         std::vector<bool> jagged = {})
+      : kind_(kind),
+        metric_worth_(metric_worth),
+        jagged_(std::move(jagged)),
+        results_(static_cast<std::size_t>(chains)) {}
 
   /// Waits for all chains. @param result  of this chain's window
   /// @return the metric and the step size that all chains go on with: pool() of all results
@@ -26,6 +31,7 @@ class WarmupMeeting {
  private:
   MetricKind kind_;
   double metric_worth_;
+  std::vector<bool> jagged_;
   std::mutex mutex_;
   std::condition_variable_any complete_;
   std::vector<WindowResult> results_;

@@ -4,6 +4,7 @@
 
 #include "engine/sampling/log_density.h"
 #include "engine/sampling/metric.h"
+#include "engine/sampling/shear.h"
 
 namespace patina {
 
@@ -28,10 +29,11 @@ struct TransitionInfo {
       0;  ///< -log density of the state after the transition, plus its kinetic energy if it has one
 };
 
-/// All that adaptation may change; frozen after warm-up. The metric is shared, never mutated.
+/// All that adaptation may change; frozen after warm-up. What is pointed to is shared, never mutated.
 struct KernelSettings {
   double step_size = 0.5;
-  std::shared_ptr<const Metric> metric;
+  std::shared_ptr<const Metric> metric;          ///< of straightened coordinates, if there is a shear
+  std::shared_ptr<const Shear> shear = nullptr;  ///< null: coordinates are used as they are
 };
 
 }  // namespace patina

@@ -6,12 +6,13 @@
 
 namespace patina {
 
-std::vector<std::string> metric_names() { return {"identity", "diagonal", "dense"}; }
+std::vector<std::string> metric_names() { return {"identity", "diagonal", "dense", "curved"}; }
 
 MetricKind metric_kind(const std::string& name) {
   if (name == "identity") return MetricKind::identity;
   if (name == "diagonal") return MetricKind::diagonal;
   if (name == "dense") return MetricKind::dense;
+  if (name == "curved") return MetricKind::curved;
   throw std::invalid_argument("unknown metric '" + name + "'");
 }
 
@@ -22,6 +23,7 @@ Eigen::MatrixXd restricted(const Eigen::MatrixXd& covariance, MetricKind kind) {
     case MetricKind::diagonal:
       return covariance.diagonal().asDiagonal();
     case MetricKind::dense:
+    case MetricKind::curved:
       break;
   }
   return covariance;

@@ -73,6 +73,7 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
   if (refresh > 0)
     continuous = nothing_smooth ? make_refresh_move()
                                 : make_mixture(std::move(continuous), make_refresh_move(), 1 - refresh);
+  continuous = make_straightened(std::move(continuous));
   std::unique_ptr<Kernel> levels = make_discrete(discrete);
   if (target.discrete_levels().empty()) return continuous;
   if (target.dimension() == 0) return levels;

@@ -5,6 +5,41 @@
 #include <utility>
 
 namespace patina {
+namespace {
+
+/// In logs.
+double median_step(std::vector<double> steps) {
+  std::ranges::sort(steps);
+  const std::size_t n = steps.size();
+  return std::sqrt(steps[(n - 1) / 2] * steps[n / 2]);
+}
+
+/// Over the draws of all chains; of no draws, zero.
+Eigen::VectorXd mean_of(const std::vector<Eigen::MatrixXd>& chains) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(chains.front().rows());
+  Eigen::Index draws = 0;
+  for (const Eigen::MatrixXd& chain : chains) {
+    sum += chain.rowwise().sum();
+    draws += chain.cols();
+  }
+  return sum / static_cast<double>(std::max<Eigen::Index>(draws, 1));
+}
+
+void straighten(std::vector<Eigen::MatrixXd>& chains, const Shear& shear) {
+  for (Eigen::MatrixXd& chain : chains)
+    for (Eigen::Index i = 0; i < chain.cols(); ++i) chain.col(i) = shear.straighten(chain.col(i));
+}
+
+/// The covariance that a window was run with, near `centre`, in the coordinates of the next shear.
+Eigen::MatrixXd previous_covariance(const WindowResult& window, const Shear* next,
+                                    const Eigen::VectorXd& centre) {
+  Eigen::MatrixXd covariance = window.metric->covariance();
+  if (window.shear) covariance = window.shear->covariance_in_x(centre[window.shear->lead()], covariance);
+  if (next) covariance = next->covariance_in_y(centre[next->lead()], covariance);
+  return covariance;
+}
+
+}  // namespace
 
 std::vector<WarmupWindow> warmup_schedule(int iterations) {
   if (iterations <= 0) return {};
@@ -41,7 +76,7 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
 
 WindowResult ChainWarmup::take_window() {
   WindowResult result{Eigen::MatrixXd(settings_.metric->dimension(), positions_.size()),
-                      step_size_.averaged_step_size(), settings_.metric};
+                      step_size_.averaged_step_size(), settings_.metric, settings_.shear};
   for (std::size_t i = 0; i < positions_.size(); ++i) result.positions.col(i) = positions_[i];
   positions_.clear();
   return result;
@@ -52,7 +87,8 @@ void ChainWarmup::restart(const KernelSettings& pooled) {
   step_size_.restart(pooled.step_size);
 }
 
-KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth) {
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth,
+                    const std::vector<bool>& jagged) {
   std::vector<Eigen::MatrixXd> positions;
   std::vector<double> steps;
   double transitions = 0;
@@ -61,15 +97,17 @@ KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, do
     positions.push_back(chain.positions);
     steps.push_back(chain.step_size);
   }
-  std::ranges::sort(steps);
-  const std::size_t n = steps.size();
-  const double step = std::sqrt(steps[(n - 1) / 2] * steps[n / 2]);
+  KernelSettings pooled{median_step(std::move(steps)), nullptr, nullptr};
+  if (kind == MetricKind::curved) pooled.shear = fit_shear(positions, jagged);
+  const Eigen::VectorXd centre = mean_of(positions);
+  if (pooled.shear) straighten(positions, *pooled.shear);
   Eigen::MatrixXd covariance = pooled_covariance(positions);
   if (metric_worth > 0) {
     const double share = metric_worth / (transitions + metric_worth);
-    covariance += share * (chains.front().metric->covariance() - covariance);
+    covariance += share * (previous_covariance(chains.front(), pooled.shear.get(), centre) - covariance);
   }
-  return {step, std::make_shared<const Metric>(restricted(covariance, kind))};
+  pooled.metric = std::make_shared<const Metric>(restricted(covariance, kind));
+  return pooled;
 }
 
 Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains) {

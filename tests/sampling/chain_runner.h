@@ -74,10 +74,10 @@ class ChainRunner {
                                kernel_.step(target_, chain.warmup.settings(), chain.state, chain.rng));
         results.push_back(chain.warmup.take_window());
       }
-      const KernelSettings pooled = pool(results, plan_.metric, plan_.metric_worth);
+      const KernelSettings pooled = pool(results, plan_.metric, plan_.metric_worth, target_.jagged());
       for (OneChain& chain : chains_) {
         if (window.adapts_metric) chain.warmup.restart(pooled);
-        chain.frozen = {pooled.step_size, chain.warmup.settings().metric};
+        chain.frozen = {pooled.step_size, chain.warmup.settings().metric, chain.warmup.settings().shear};
       }
     }
   }

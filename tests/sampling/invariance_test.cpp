@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,8 +63,10 @@ struct Outcome {
   double moved = 0;  ///< mean distance from the start
 };
 
-Outcome after_transitions(const Kernel& kernel, const LogDensity& target, int transitions) {
-  const KernelSettings settings = settings_with(0.8, some_covariance(3));
+Outcome after_transitions(const Kernel& kernel, const LogDensity& target, int transitions,
+                          std::shared_ptr<const Shear> shear = nullptr) {
+  KernelSettings settings = settings_with(0.8, some_covariance(3));
+  settings.shear = std::move(shear);
   Rng rng(31);
   std::vector<Position> ends;
   Outcome outcome;
@@ -183,6 +186,46 @@ TEST(Invariance, the_mixture_keeps_exact_draws_exact) {
       EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name << " at alpha " << alpha;
       EXPECT_GT(outcome.moved, 0.15) << name;
     }
+}
+
+/// Bends the first two coordinates of SkewedTarget along the third, where they are straight.
+std::shared_ptr<const Shear> some_shear() {
+  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(4, 3);
+  coefficients.col(0) << 0.3, -0.4, 0.8, -0.5;
+  coefficients.col(1) << 0.1, 0.5, -0.9, 0.4;
+  return std::make_shared<const Shear>(2, NaturalSplineBasis(Eigen::Vector4d(-1, 0, 1, 3)), coefficients);
+}
+
+TEST(Invariance, holds_in_the_coordinates_of_any_shear) {
+  const SkewedTarget target;
+  for (const std::string& name : kernel_names()) {
+    const auto kernel = make_kernel(name, target, 0.8, 0.3);
+    const Outcome outcome = after_transitions(*kernel, target, 3, some_shear());
+    EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name;
+    EXPECT_GT(outcome.moved, 0.15) << name;
+    EXPECT_NE(outcome.moved, after_transitions(*kernel, target, 3).moved) << "the shear was not used";
+  }
+}
+
+/// Steps in straightened coordinates and forgets to bend them back: a plausible mistake.
+class StraightenedForGood final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    const TransitionInfo info = kernel_->step(target, settings, state, rng);
+    if (info.accepted)
+      state =
+          state_at(target, {settings.shear->straighten(state.position.continuous), state.position.discrete});
+    return info;
+  }
+  double target_acceptance() const override { return 0.65; }
+
+ private:
+  std::unique_ptr<Kernel> kernel_ = make_straightened(make_hmc());
+};
+
+TEST(Invariance, is_lost_when_coordinates_are_not_bent_back) {
+  EXPECT_GT(after_transitions(StraightenedForGood(), SkewedTarget(), 3, some_shear()).worst, 1);
 }
 
 TEST(Invariance, is_lost_without_the_reverse_proposal) {

@@ -60,7 +60,7 @@ TEST(Metric, colours_by_a_factor_of_the_covariance_and_by_its_transpose) {
 }
 
 TEST(MetricKind, has_a_name_for_every_kind_and_refuses_others) {
-  EXPECT_EQ(metric_names().size(), 3u);
+  EXPECT_EQ(metric_names().size(), 4u);
   for (const std::string& name : metric_names()) EXPECT_NO_THROW(metric_kind(name));
   EXPECT_THROW(metric_kind("low rank"), std::invalid_argument);
 }
