@@ -12,6 +12,9 @@ class AppendFile {
  public:
   /// Creates an empty file. @throws UserError if it cannot be created
   explicit AppendFile(const std::filesystem::path& file);
+  /// Goes on with a file that is there, cut to its first `size` bytes.
+  /// @throws UserError if it cannot be opened or is shorter
+  AppendFile(const std::filesystem::path& file, std::int64_t size);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
@@ -23,7 +26,14 @@ class AppendFile {
   /// Overwrites bytes written before, without moving the end. @throws UserError
   void patch(std::int64_t offset, std::string_view piece);
 
+  /// Waits until all of it is on the disk, safe from a loss of power as well. @throws UserError
+  void sync();
+
+  std::int64_t size() const { return size_; }
+
  private:
+  void cut_to(std::int64_t size);
+
   std::filesystem::path file_;
   int descriptor_;
   std::int64_t size_ = 0;

@@ -18,6 +18,14 @@ struct ChainCsvHeader {
   std::vector<std::string> names;  ///< parameter columns
 };
 
+/// How far a chain file has been written: with it, and the bytes themselves, another writer can go on.
+struct ChainCsvPlace {
+  std::int64_t bytes = 0;              ///< without a footer
+  std::int64_t rows_after_warmup = 0;  ///< to be counted in num_samples
+  bool adapted = false;                ///< the comment block after warm-up is there
+  bool operator==(const ChainCsvPlace&) const = default;
+};
+
 /// One row.
 struct ChainCsvRow {
   double lp = 0, accept_stat = 0, stepsize = 0;
@@ -34,14 +42,24 @@ struct ChainCsvRow {
 class ChainCsvWriter {
  public:
   ChainCsvWriter(const std::filesystem::path& file, const ChainCsvHeader& header);
+  /// Goes on with a file, of the same header but for num_samples, where another writer was at `place`: what
+  /// lies behind is cut off, num_samples becomes what is asked for now. @throws UserError for a file that is
+  /// shorter or begins with another header
+  ChainCsvWriter(const std::filesystem::path& file, const ChainCsvHeader& header, const ChainCsvPlace& place);
   ~ChainCsvWriter();
   ChainCsvWriter(ChainCsvWriter&&) noexcept;
 
   void append(const ChainCsvRow& row);
   /// The comment block between warm-up and sampling.
   void adaptation_terminated(double step_size, const std::vector<double>& inverse_metric_diagonal);
-  /// The footer with times; patches num_samples to the rows written.
-  void close(double warmup_seconds, double sampling_seconds);
+  /// The footer, an empty comment; patches num_samples to the rows written. It has no times, so that the same
+  /// draws are the same bytes.
+  void close();
+
+  ChainCsvPlace place() const;  ///< not to be asked after close()
+
+  /// Waits until all of it is on the disk. @throws UserError
+  void sync();
 
  private:
   struct State;
@@ -63,7 +81,7 @@ class ChainCsvReader {
   std::vector<Row> read_new();
   const ChainCsvHeader& header() const;  ///< valid once a header line has been read
   bool has_header() const;
-  bool closed() const;  ///< the footer has been read
+  bool closed() const;  ///< it ends with a footer, for now: a writer that goes on takes the footer away
 
  private:
   struct State;

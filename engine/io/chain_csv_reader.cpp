@@ -82,7 +82,6 @@ struct ChainCsvReader::State {
       comment_integer(line, "num_samples", header.num_samples);
     }
     adapted |= line == "# Adaptation terminated";
-    closed |= has_header && line == "#";
   }
 
   void read_names(std::string_view line) {
@@ -136,7 +135,10 @@ struct ChainCsvReader::State {
   std::size_t read_lines(std::string_view bytes, std::vector<Row>& rows_out) {
     std::size_t begin = 0;
     for (auto end = bytes.find('\n'); end != std::string_view::npos; end = bytes.find('\n', begin)) {
-      read_line(bytes.substr(begin, end - begin), rows_out);
+      const std::string_view line = bytes.substr(begin, end - begin);
+      closed = has_header && line == "#";
+      if (closed) break;  // not taken: a writer that goes on with the chain puts rows in its place
+      read_line(line, rows_out);
       ++lines;
       offset += static_cast<std::streamoff>(end + 1 - begin);
       begin = end + 1;
@@ -157,6 +159,7 @@ std::vector<ChainCsvReader::Row> ChainCsvReader::read_new() {
   if (!stream)
     throw UserError("Cannot open the chain file " + state_->path.string() + ": check its permissions.");
   stream.seekg(state_->offset);
+  state_->closed = false;
   std::vector<Row> rows;
   std::string unread;  // always begins at state_->offset
   for (;;) {
@@ -168,6 +171,7 @@ std::vector<ChainCsvReader::Row> ChainCsvReader::read_new() {
     unread.resize(kept + static_cast<std::size_t>(stream.gcount()));
     if (unread.size() == kept) return rows;
     unread.erase(0, state_->read_lines(unread, rows));
+    if (state_->closed) return rows;
     if (unread.size() > kLongestLine) state_->refuse("it is too long");
   }
 }

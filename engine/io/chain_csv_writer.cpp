@@ -1,7 +1,8 @@
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <fstream>
 
+#include "engine/error.h"
 #include "engine/io/append_file.h"
 #include "engine/io/chain_csv.h"
 
@@ -28,13 +29,6 @@ std::string padded(std::int64_t number) {
   return digits;
 }
 
-/// Two decimals are enough for a clock.
-std::string seconds_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
-
 std::string header_before_samples(const ChainCsvHeader& header) {
   return "# stan_version_major = 2\n# stan_version_minor = 31\n# stan_version_patch = 0\n# model = " +
          header.model + "\n# method = sample (Default)\n#   sample\n#     num_samples = ";
@@ -51,23 +45,54 @@ std::string header_after_samples(const ChainCsvHeader& header) {
   return text + "\n";
 }
 
+std::int64_t samples_offset(const ChainCsvHeader& header) {
+  return static_cast<std::int64_t>(header_before_samples(header).size());
+}
+
+std::string header_text(const ChainCsvHeader& header) {
+  return header_before_samples(header) + padded(header.num_samples) + header_after_samples(header);
+}
+
+/// @throws UserError unless the file begins as that header does, num_samples left aside
+void check_header(const std::filesystem::path& file, ChainCsvHeader header) {
+  const std::string expected = header_text(header);
+  std::string found(expected.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(found.data(), static_cast<std::streamsize>(found.size()));
+  const auto offset = static_cast<std::size_t>(samples_offset(header));
+  if (found.replace(offset, kPaddedDigits, expected, offset, kPaddedDigits) != expected)
+    throw UserError(
+        file.string() +
+        " is not the chain file that was written here: restore it from a copy, or start a new run.");
+}
+
 }  // namespace
 
 struct ChainCsvWriter::State {
   AppendFile file;
   std::int64_t samples_offset = 0;
   std::int64_t rows_after_warmup = 0;
-  bool sampling = false;
+  bool adapted = false, sampling = false;
 
-  explicit State(const std::filesystem::path& path) : file(path) {}
+  template <typename... Arguments>
+  explicit State(const Arguments&... arguments) : file(arguments...) {}
 };
 
 ChainCsvWriter::ChainCsvWriter(const std::filesystem::path& file, const ChainCsvHeader& header)
     : state_(std::make_unique<State>(file)) {
-  const std::string before = header_before_samples(header);
-  state_->samples_offset = static_cast<std::int64_t>(before.size());
+  state_->samples_offset = samples_offset(header);
   state_->sampling = header.num_warmup == 0;
-  state_->file.append(before + padded(header.num_samples) + header_after_samples(header));
+  state_->file.append(header_text(header));
+}
+
+ChainCsvWriter::ChainCsvWriter(const std::filesystem::path& file, const ChainCsvHeader& header,
+                               const ChainCsvPlace& place) {
+  check_header(file, header);
+  state_ = std::make_unique<State>(file, place.bytes);
+  state_->samples_offset = samples_offset(header);
+  state_->rows_after_warmup = place.rows_after_warmup;
+  state_->adapted = place.adapted;
+  state_->sampling = place.adapted || header.num_warmup == 0;
+  state_->file.patch(state_->samples_offset, padded(header.num_samples));
 }
 
 ChainCsvWriter::~ChainCsvWriter() = default;
@@ -102,16 +127,19 @@ void ChainCsvWriter::adaptation_terminated(double step_size,
     put(block, inverse_metric_diagonal[i]);
   }
   state_->file.append(block + "\n");
-  state_->sampling = true;
+  state_->adapted = state_->sampling = true;
 }
 
-void ChainCsvWriter::close(double warmup_seconds, double sampling_seconds) {
+void ChainCsvWriter::close() {
   // First, for it needs no room: on a full disk the count is right even where the footer does not fit.
   state_->file.patch(state_->samples_offset, padded(state_->rows_after_warmup));
-  state_->file.append("#\n#  Elapsed Time: " + seconds_text(warmup_seconds) +
-                      " seconds (Warm-up)\n#                " + seconds_text(sampling_seconds) +
-                      " seconds (Sampling)\n#                " +
-                      seconds_text(warmup_seconds + sampling_seconds) + " seconds (Total)\n#\n");
+  state_->file.append("#\n");
 }
+
+ChainCsvPlace ChainCsvWriter::place() const {
+  return {state_->file.size(), state_->rows_after_warmup, state_->adapted};
+}
+
+void ChainCsvWriter::sync() { state_->file.sync(); }
 
 }  // namespace patina

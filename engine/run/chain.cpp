@@ -1,29 +1,16 @@
 #include "engine/run/chain.h"
 
-#include <chrono>
 #include <utility>
 #include <vector>
 
 #include "engine/run/chain_start.h"
 #include "engine/run/run_files.h"
+#include "engine/run/state_file.h"
+#include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 
 namespace patina {
 namespace {
-
-/// Adds the time until its end of life to a number of seconds, also when that end is an exception.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& seconds_;
-  Clock::time_point start_ = Clock::now();
-};
 
 ChainCsvHeader header_of(const ChainPlan& plan, int index) {
   ChainCsvHeader header;
@@ -36,25 +23,76 @@ ChainCsvHeader header_of(const ChainPlan& plan, int index) {
   return header;
 }
 
+/// Whether the chains meet at the end of a window: to share a metric, or the step size that they end with.
+bool is_met(const WarmupWindow& window, int warmup) { return window.adapts_metric || window.end == warmup; }
+
 std::vector<double> metric_diagonal(const KernelSettings& settings) {
   const Eigen::VectorXd diagonal = settings.metric->covariance().diagonal();
   return {diagonal.begin(), diagonal.end()};
 }
 
+/// The number of the last window at whose end the chains met, of those before `window`; -1 for none.
+int last_meeting(int warmup, int window) {
+  const std::vector<WarmupWindow> schedule = warmup_schedule(warmup);
+  for (int i = window - 1; i >= 0; --i)
+    if (is_met(schedule[static_cast<std::size_t>(i)], warmup)) return i;
+  return -1;
+}
+
+/// The file of a chain: taken up where it was, or begun.
+ChainCsvWriter open_file(const ChainPlan& plan, int index, const ChainCheckpoint* saved) {
+  const std::filesystem::path file = chain_file(plan.directory, index);
+  if (saved == nullptr) return ChainCsvWriter(file, header_of(plan, index));
+  return ChainCsvWriter(file, header_of(plan, index), saved->file);
+}
+
 }  // namespace
 
 Chain::Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index)
+    : Chain(plan, meeting, shared, index,
+            read_checkpoint(chain_state_file(plan.directory, index), plan.run_key, plan.target,
+                            plan.settings.warmup)) {}
+
+Chain::Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index,
+             std::optional<ChainCheckpoint> saved)
     : plan_(plan),
       meeting_(meeting),
       shared_(shared),
       index_(index),
+      begun_(saved.has_value()),
+      at_(saved.value_or(ChainCheckpoint{})),
       rng_(plan.settings.seed, static_cast<std::uint64_t>(index) + 1),
-      file_(chain_file(plan.directory, index), header_of(plan, index)) {}
+      file_(open_file(plan, index, begun_ ? &at_ : nullptr)) {
+  if (!begun_) return;
+  const int met = last_meeting(plan_.settings.warmup, at_.window);
+  if (met >= 0 && !meeting_.was_held(met))
+    refuse_state(chain_state_file(plan_.directory, index_), "warmup.state is not the one that goes with it");
+  rng_.seek(at_.random_position);
+  recall_draws();
+}
+
+void Chain::recall_draws() {
+  const std::filesystem::path file = chain_file(plan_.directory, index_);
+  ChainCsvReader reader(file);
+  const auto rows = reader.read_new();
+  std::int64_t iteration = 0;
+  for (const ChainCsvReader::Row& row : rows) {
+    Draw draw = to_draw(row, plan_.table, index_, iteration++);
+    tally_.add(draw);
+    shared_.draws.push(std::move(draw));
+  }
+  const bool same =
+      iteration == at_.iteration && (rows.empty() || rows.back().row.lp == at_.state.evaluation.log_density);
+  if (!same) refuse_state(chain_state_file(plan_.directory, index_), "it does not go with " + file.string());
+  shared_.edit_status([&](RunStatus& status) { status.chains[index_] = tally_.status(); });
+}
 
 void Chain::run() noexcept {
   try {
     use_tensor_threads(1);
     yield_to_the_window();
+    if (!begun_) begin();
+    warm_up();
     sample();
   } catch (const RunStopped&) {
     // What was drawn so far is kept.
@@ -64,71 +102,119 @@ void Chain::run() noexcept {
   close();
 }
 
+void Chain::begin() {
+  const Stopwatch stopwatch(at_.warmup_seconds);
+  at_.state = overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng_);
+  KernelSettings& settings = at_.frozen;
+  settings.metric = std::make_shared<const Metric>(
+      restricted(plan_.laplace->covariance(), metric_kind(plan_.settings.metric)));
+  if (plan_.settings.warmup > 0 && plan_.kernel.target_acceptance() > 0)
+    settings.step_size = initial_step_size(plan_.target, settings, at_.state, rng_);
+  at_.warmup = ChainWarmup(settings, plan_.kernel.target_acceptance());
+  begun_ = true;
+}
+
+void Chain::warm_up() {
+  const std::vector<WarmupWindow> schedule = warmup_schedule(plan_.settings.warmup);
+  while (at_.window < std::ssize(schedule)) {
+    const WarmupWindow& window = schedule[static_cast<std::size_t>(at_.window)];
+    while (at_.iteration < window.end) step(/*warmup=*/true);
+    end_window(window);
+  }
+}
+
+void Chain::end_window(const WarmupWindow& window) {
+  save();  // others may let it wait
+  const ChainWarmup before = at_.warmup;
+  WindowResult result = at_.warmup.take_window();
+  if (is_met(window, plan_.settings.warmup)) {
+    try {
+      const KernelSettings pooled =
+          meeting_.meet(index_, at_.window, std::move(result), shared_.control.token());
+      if (window.adapts_metric) at_.warmup.restart(pooled);
+      at_.frozen = {pooled.step_size, at_.warmup.settings().metric, at_.warmup.settings().shear};
+    } catch (...) {
+      at_.warmup = before;
+      throw;
+    }
+  }
+  ++at_.window;
+  save();
+}
+
 void Chain::sample() {
-  ChainState state = overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng_);
-  const KernelSettings settings = warm_up(state);
   shared_.edit_status([](RunStatus& status) {
     status.phase = RunPhase::sampling;
     status.message = "drawing samples";
   });
-  const Stopwatch stopwatch(sampling_seconds_);
-  shared_.write_or_pause([&] { file_.adaptation_terminated(settings.step_size, metric_diagonal(settings)); });
-  for (int i = 0; i < plan_.settings.draws; ++i) step(settings, state, nullptr);
+  if (!file_.place().adapted)
+    shared_.write_or_pause(
+        [&] { file_.adaptation_terminated(at_.frozen.step_size, metric_diagonal(at_.frozen)); });
+  const std::int64_t last = std::int64_t{plan_.settings.warmup} + plan_.settings.draws;
+  while (at_.iteration < last) step(/*warmup=*/false);
 }
 
-KernelSettings Chain::warm_up(ChainState& state) {
-  const Stopwatch stopwatch(warmup_seconds_);
-  KernelSettings start;
-  start.metric = std::make_shared<const Metric>(
-      restricted(plan_.laplace->covariance(), metric_kind(plan_.settings.metric)));
-  if (plan_.settings.warmup > 0 && plan_.kernel.target_acceptance() > 0)
-    start.step_size = initial_step_size(plan_.target, start, state, rng_);
-  ChainWarmup warmup(start, plan_.kernel.target_acceptance());
-  KernelSettings frozen = start;
-  for (const WarmupWindow& window : warmup_schedule(plan_.settings.warmup)) {
-    for (int i = window.begin; i < window.end; ++i) step(warmup.settings(), state, &warmup);
-    WindowResult result = warmup.take_window();
-    const bool last = window.end == plan_.settings.warmup;
-    if (!window.adapts_metric && !last) continue;
-    const KernelSettings pooled = meeting_.meet(index_, std::move(result), shared_.control.token());
-    if (window.adapts_metric) warmup.restart(pooled);
-    frozen = {pooled.step_size, warmup.settings().metric, warmup.settings().shear};
-  }
-  return frozen;
-}
-
-void Chain::step(const KernelSettings& settings, ChainState& state, ChainWarmup* warmup) {
+/// All or nothing: a transition that is broken off has not begun.
+void Chain::step(bool warmup) {
   shared_.control.checkpoint();  // a discrete move to the same level makes no evaluation
-  const TransitionInfo info = plan_.kernel.step(plan_.target, settings, state, rng_);
-  record(settings, state, info, warmup != nullptr);
-  if (warmup != nullptr) warmup->observe(state, info);
+  const Stopwatch stopwatch(warmup ? at_.warmup_seconds : at_.sampling_seconds);
+  const ChainState before = at_.state;
+  const std::uint64_t random_position = rng_.position();
+  TransitionInfo info;
+  try {
+    const KernelSettings& settings = warmup ? at_.warmup.settings() : at_.frozen;
+    info = plan_.kernel.step(plan_.target, settings, at_.state, rng_);
+    record(settings.step_size, info, warmup);
+  } catch (...) {
+    at_.state = before;
+    rng_.seek(random_position);
+    throw;
+  }
+  if (warmup) at_.warmup.observe(at_.state, info);
+  save_now_and_then();
 }
 
-void Chain::record(const KernelSettings& settings, const ChainState& state, const TransitionInfo& info,
-                   bool warmup) {
+void Chain::record(double step_size, const TransitionInfo& info, bool warmup) {
   Draw draw;
   draw.chain = index_;
-  draw.iteration = iteration_++;
+  draw.iteration = at_.iteration;
   draw.warmup = warmup;
-  draw.lp = state.evaluation.log_density;
+  draw.lp = at_.state.evaluation.log_density;
   draw.accept_stat = info.accept_probability;
-  draw.step_size = settings.step_size;
+  draw.step_size = step_size;
   draw.divergent = info.divergent;
-  draw.values = plan_.values(state.position);
+  draw.values = plan_.values(at_.state.position);
   const ChainCsvRow row = to_row(draw, info);
   shared_.write_or_pause([&] { file_.append(row); });
 
+  ++at_.iteration;
   tally_.add(draw);
   shared_.draw_rate.count(1, RateMeter::Clock::now());
   shared_.draws.push(std::move(draw));
   shared_.edit_status([&](RunStatus& status) { status.chains[index_] = tally_.status(); });
 }
 
+void Chain::save_now_and_then() {
+  if (Clock::now() - saved_ >= plan_.checkpoint_interval) save();
+}
+
+void Chain::save() {
+  at_.random_position = rng_.position();
+  at_.file = file_.place();
+  shared_.write_or_pause([&] {
+    file_.sync();  // a state must not reach the disk before the rows that it counts on
+    write_checkpoint(chain_state_file(plan_.directory, index_), plan_.run_key, at_);
+  });
+  saved_ = Clock::now();
+}
+
 void Chain::close() noexcept {
   try {
-    shared_.write_or_pause([&] { file_.close(warmup_seconds_, sampling_seconds_); });
+    if (begun_) save();
+    shared_.write_or_pause([&] { file_.close(); });
   } catch (const RunStopped&) {
-    // The disk is full and the run is over: a chain file without its footer is still whole lines.
+    // The disk is full and the run is over: a chain file without its footer is still whole lines, and the
+    // chain goes on from its last state but one.
   } catch (const std::exception& error) {
     shared_.fail(error.what());
   }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "engine/io/chain_csv.h"
+#include "engine/run/chain_checkpoint.h"
 #include "engine/run/chain_tally.h"
 #include "engine/run/run_settings.h"
 #include "engine/run/run_shared.h"
@@ -26,13 +30,18 @@ struct ChainPlan {
   ChainState mode;
   std::shared_ptr<const Metric> laplace;
   std::filesystem::path directory;
+  std::string run_key = "-";  ///< of the run's state files
+  std::chrono::milliseconds checkpoint_interval{2000};
 };
 
 /// One chain, on a thread of its own: start, warm-up, sampling. Every transition becomes a row of the chain's
-/// file, then a draw in the queue; a rejected proposal repeats the draw.
+/// file, then a draw in the queue; a rejected proposal repeats the draw. Its state is written down every few
+/// seconds, at the end of every window and of the run.
 class Chain {
  public:
-  /// Creates chain-K.csv, K = index + 1. @throws UserError
+  /// Goes on from chain-K.state, K = index + 1, if there is one: chain-K.csv is cut to what it held then, and
+  /// the draws in it are queued. Else begins chain-K.csv. Either way its further rows are the same.
+  /// @throws UserError for a state or a chain file that is damaged or belongs to another run
   Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index);
 
   /// Returns when all draws are made or the run is stopped; a failure is left in `shared`. The file is closed
@@ -40,24 +49,35 @@ class Chain {
   void run() noexcept;
 
   std::int64_t draws_after_warmup() const { return tally_.draws_after_warmup(); }
+  double warmup_seconds() const { return at_.warmup_seconds; }  ///< once run() has returned
+  double sampling_seconds() const { return at_.sampling_seconds; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index,
+        std::optional<ChainCheckpoint> saved);
+  void recall_draws();
+  void begin();
+  void warm_up();
+  void end_window(const WarmupWindow& window);
   void sample();
-  KernelSettings warm_up(ChainState& state);
-  void step(const KernelSettings& settings, ChainState& state, ChainWarmup* warmup);
-  void record(const KernelSettings& settings, const ChainState& state, const TransitionInfo& info,
-              bool warmup);
+  void step(bool warmup);
+  void record(double step_size, const TransitionInfo& info, bool warmup);
+  void save();
+  void save_now_and_then();
   void close() noexcept;
 
   const ChainPlan& plan_;
   WarmupMeeting& meeting_;
   RunShared& shared_;
   int index_;
+  bool begun_;  ///< at_ is a place to go on from
+  ChainCheckpoint at_;
   Rng rng_;
   ChainCsvWriter file_;
   ChainTally tally_;
-  std::int64_t iteration_ = 0;
-  double warmup_seconds_ = 0, sampling_seconds_ = 0;
+  Clock::time_point saved_ = Clock::now();
 };
 
 }  // namespace patina

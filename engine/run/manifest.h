@@ -16,6 +16,12 @@ struct MapPoint {
   double lp = 0;
 };
 
+/// Seconds that a run has taken, added up over all the times that it was taken up again.
+struct RunTimes {
+  double search = 0;
+  std::vector<double> warmup, sampling;  ///< by chain
+};
+
 /// All that run.json holds: what a run was asked to do, to repeat it, and how far it got.
 struct Manifest {
   std::string program;  ///< "patina 0.1.0", the version that made the run
@@ -33,6 +39,7 @@ struct Manifest {
   RunPhase phase = RunPhase::starting;  ///< starting, searching, sampling (warm-up included) or how it ended
   std::string reason;                   ///< one sentence, once it ended
   std::optional<MapPoint> map;
+  RunTimes seconds;
 };
 
 constexpr int kRunFormat = 1;  ///< grows whenever an older program would misread the directory

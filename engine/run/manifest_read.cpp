@@ -135,6 +135,19 @@ std::optional<MapPoint> map_point(const Json& json, const ParameterTable& table)
   return map;
 }
 
+std::vector<double> numbers(const Json& json, const char* key) {
+  std::vector<double> result;
+  for (const Json& item : list(json, key)) {
+    if (!item.is_number()) throw BadField{"'" + std::string(key) + "' holds something that is not a number"};
+    result.push_back(item.get<double>());
+  }
+  return result;
+}
+
+RunTimes times(const Json& json) {
+  return {number(json, "search"), numbers(json, "warmup"), numbers(json, "sampling")};
+}
+
 RunPhase phase(const Json& json) {
   const std::string found = text(json, "phase");
   for (const auto& [phase, word] : kPhaseWords)
@@ -161,6 +174,7 @@ Manifest manifest(const Json& json) {
   m.phase = phase(json);
   m.reason = text(json, "reason");
   m.map = map_point(field(json, "map"), m.table);
+  if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
   return m;
 }
 

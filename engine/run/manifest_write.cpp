@@ -67,7 +67,9 @@ std::string to_json(const Manifest& m) {
       {"settings", settings_json(m.settings)},
       {"network_sha256", m.network_sha256},
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
-      {"map", map_json(m)}};
+      {"map", map_json(m)},
+      {"seconds",
+       {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}}};
   // A file name need not be UTF-8; the manifest must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

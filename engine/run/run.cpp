@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/run/run_files.h"
 #include "engine/run/run_reader.h"
 #include "engine/run/sampler_run.h"
 
@@ -9,7 +10,15 @@ namespace patina {
 
 std::unique_ptr<DrawSource> start_run(const RunSettings& settings, const Photo& photo,
                                       const std::filesystem::path& directory, std::function<void()> wake) {
-  return std::make_unique<SamplerRun>(settings, photo, directory, std::move(wake));
+  return std::make_unique<SamplerRun>(settings, photo, directory, std::move(wake), Opening::fresh);
+}
+
+std::unique_ptr<DrawSource> resume_run(const RunSettings& settings, const Photo& photo,
+                                       const std::filesystem::path& directory, std::function<void()> wake) {
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(manifest_file(directory), ignored);
+  return std::make_unique<SamplerRun>(settings, photo, directory, std::move(wake),
+                                      there ? Opening::resumed : Opening::fresh);
 }
 
 std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory) {

@@ -15,6 +15,10 @@
 #include "engine/run/network_checksum.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
+#include "engine/run/run_state.h"
+#include "engine/run/same_run.h"
+#include "engine/run/state_file.h"
+#include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/run/version.h"
 #include "engine/sampling/kernels.h"
@@ -60,27 +64,46 @@ void check_free_parameters(const Posterior& posterior) {
 }  // namespace
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
-                       const std::filesystem::path& directory, std::function<void()> wake)
+                       const std::filesystem::path& directory, std::function<void()> wake, Opening opening)
     : directory_(directory), settings_(settings), photo_(photo.image), shared_(std::move(wake)) {
   check_settings(settings_, photo);
   if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
-  check_holds_no_run(directory_);
+  if (opening == Opening::fresh) check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
   posteriors_.push_back(std::make_unique<Posterior>(
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
   table_ = posteriors_.front()->table();
   manifest_ = first_manifest(settings_, photo, table_);
+  run_key_ = run_key(manifest_);
 
-  make_folder(directory_);
-  lock_ = std::make_unique<RunLock>(lock_file(directory_));
-  write_image(photo_file(directory_), photo_, PixelDepth::u16);
+  if (opening == Opening::fresh)
+    begin();
+  else
+    take_up();
   write_manifest();
   shared_.edit_status([&](RunStatus& status) {
     status.message = "getting ready";
     status.chains.resize(static_cast<std::size_t>(settings_.chains));
   });
   coordinator_ = std::thread([this] { coordinate(); });
+}
+
+void SamplerRun::begin() {
+  make_folder(directory_);
+  lock_ = std::make_unique<RunLock>(lock_file(directory_));
+  write_image(photo_file(directory_), photo_, PixelDepth::u16);
+}
+
+void SamplerRun::take_up() {
+  lock_ = std::make_unique<RunLock>(lock_file(directory_));
+  const Manifest made = read_manifest(directory_);
+  check_same_run(directory_, made, manifest_);
+  check_has_states(directory_);
+  found_ = read_mode(directory_, run_key_, *posteriors_.front());
+  record_ = read_warmup(directory_, run_key_, *posteriors_.front());
+  manifest_.map = made.map;
+  manifest_.seconds = made.seconds;
 }
 
 SamplerRun::~SamplerRun() {
@@ -131,7 +154,7 @@ void SamplerRun::coordinate() noexcept {
 }
 
 void SamplerRun::run_to_the_end() {
-  const ModeFound found = search();
+  const ModeFound found = find_or_recall();
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
   manifest_.phase = RunPhase::sampling;
@@ -146,8 +169,27 @@ void SamplerRun::enter(RunPhase phase, const std::string& message) {
   });
 }
 
-ModeFound SamplerRun::search() {
+ModeFound SamplerRun::find_or_recall() {
   use_tensor_threads(hardware_threads());
+  if (!found_) {
+    ModeFound found = search();
+    shared_.write_or_pause([&] { write_mode(directory_, run_key_, found); });
+    return found;
+  }
+  if (settings_.resolution != pyramid(settings_.resolution).front())
+    posteriors_.push_back(
+        std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_));
+  posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);
+  shared_.edit_status([&](RunStatus& status) {
+    status.search_fraction = 1;
+    status.best = posteriors_.back()->values(found_->mode.position);
+    status.best_lp = found_->mode.evaluation.log_density;
+  });
+  return *found_;
+}
+
+ModeFound SamplerRun::search() {
+  const Stopwatch stopwatch(manifest_.seconds.search);
   enter(RunPhase::searching, "looking for a good match");
   const std::vector<int> levels = pyramid(settings_.resolution);
   for (std::size_t i = posteriors_.size(); i < levels.size(); ++i) {
@@ -172,22 +214,50 @@ void SamplerRun::sample(const ModeFound& found) {
                        [&](const Position& position) { return posterior.values(position); },
                        found.mode,
                        found.laplace,
-                       directory_};
+                       directory_,
+                       run_key_};
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
-  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric), laplace_worth, target.jagged());
+  WarmupMeeting meeting(
+      settings_.chains, metric_kind(settings_.metric), laplace_worth, target.jagged(),
+      [&](const WarmupRecord& record) {
+        shared_.write_or_pause([&] { write_warmup(directory_, run_key_, record); });
+      },
+      record_);
   std::deque<Chain> chains;  // their addresses stay
-  for (int k = 0; k < settings_.chains; ++k)
-    shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });
+  for (int k = 0; k < settings_.chains; ++k) add_chain(plan, meeting, chains);
   {
     std::vector<std::jthread> threads;
     for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
   }
-  for (const Chain& chain : chains) draws_made_ += chain.draws_after_warmup();
+  take_stock(chains);
   // A stop that came after the last draw changes nothing.
   const bool complete = draws_made_ == std::int64_t{settings_.chains} * settings_.draws;
   if (!complete || !shared_.failure().empty()) throw RunStopped();
+}
+
+void SamplerRun::add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains) {
+  const int k = static_cast<int>(chains.size());
+  const auto add = [&] { chains.emplace_back(plan, meeting, shared_, k); };
+  std::error_code ignored;
+  // A new file that does not fit on the disk can wait for room; a state that is damaged cannot be mended so.
+  if (std::filesystem::exists(chain_state_file(directory_, k), ignored)) return add();
+  if (std::filesystem::exists(chain_file(directory_, k), ignored))
+    enter(RunPhase::warming_up,
+          "chain " + std::to_string(k + 1) + " has no saved state: it is drawn anew, to the same draws");
+  shared_.write_or_pause(add);
+}
+
+void SamplerRun::take_stock(const std::deque<Chain>& chains) {
+  RunTimes& seconds = manifest_.seconds;
+  seconds.warmup.clear();
+  seconds.sampling.clear();
+  for (const Chain& chain : chains) {
+    draws_made_ += chain.draws_after_warmup();
+    seconds.warmup.push_back(chain.warmup_seconds());
+    seconds.sampling.push_back(chain.sampling_seconds());
+  }
 }
 
 void SamplerRun::conclude(RunPhase phase, const std::string& reason) {

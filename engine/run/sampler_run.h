@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "engine/io/photo.h"
 #include "engine/posterior/posterior.h"
+#include "engine/run/chain.h"
 #include "engine/run/draw_source.h"
 #include "engine/run/manifest.h"
 #include "engine/run/mode_search.h"
@@ -16,12 +18,15 @@
 
 namespace patina {
 
+enum class Opening { fresh, resumed };
+
 /// A run whose sampler is in this process: a coordinator thread that searches the mode, then one thread a
-/// chain. See start_run().
+/// chain. See start_run() and
+/// resume_run().
 class SamplerRun final : public DrawSource {
  public:
   SamplerRun(const RunSettings& settings, const Photo& photo, const std::filesystem::path& directory,
-             std::function<void()> wake);
+             std::function<void()> wake, Opening opening);
   ~SamplerRun() override;
 
   const std::filesystem::path& directory() const override { return directory_; }
@@ -38,12 +43,17 @@ class SamplerRun final : public DrawSource {
   void stop() override;
 
  private:
+  void begin();
+  void take_up();
   void write_manifest();
   void coordinate() noexcept;
   void run_to_the_end();
   void enter(RunPhase phase, const std::string& message);
+  ModeFound find_or_recall();
   ModeFound search();
   void sample(const ModeFound& found);
+  void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
+  void take_stock(const std::deque<Chain>& chains);
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;
 
@@ -51,7 +61,10 @@ class SamplerRun final : public DrawSource {
   RunSettings settings_;
   Image photo_;
   ParameterTable table_;
-  Manifest manifest_;                                   ///< the coordinator's, once it runs
+  std::string run_key_;             ///< of the state files
+  std::optional<ModeFound> found_;  ///< by a search that was made before the run was taken up again
+  WarmupRecord record_;             ///< of meetings that were held before
+  Manifest manifest_;               ///< the coordinator's, once it runs
   std::vector<std::unique_ptr<Posterior>> posteriors_;  ///< coarse to fine; the coordinator's as well
   std::unique_ptr<RunLock> lock_;
   std::int64_t draws_made_ = 0;  ///< after warm-up, all chains

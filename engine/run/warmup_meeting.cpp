@@ -6,20 +6,26 @@
 
 namespace patina {
 
-KernelSettings WarmupMeeting::meet(int chain, WindowResult result, const std::stop_token& stop) {
+KernelSettings WarmupMeeting::meet(int chain, int window, WindowResult result, const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
+  if (const auto held = record_.find(window); held != record_.end()) return held->second;
   results_[static_cast<std::size_t>(chain)] = std::move(result);
-  const int meeting = meetings_;
   if (++arrived_ == static_cast<int>(results_.size())) {
-    pooled_ = pool(results_, kind_, metric_worth_, jagged_);
     arrived_ = 0;
-    ++meetings_;
+    WarmupRecord grown = record_;
+    grown[window] = pool(results_, kind_, metric_worth_, jagged_);
+    if (save_) save_(grown);
+    record_ = std::move(grown);
     complete_.notify_all();
-  } else if (!complete_.wait(lock, stop, [&] { return meetings_ > meeting; })) {
+  } else if (!complete_.wait(lock, stop, [&] { return record_.contains(window); })) {
     throw RunStopped();
   }
-  // Nobody can start the next meeting's settings before all have left this one with theirs.
-  return pooled_;
+  return record_.at(window);
+}
+
+bool WarmupMeeting::was_held(int window) const {
+  const std::lock_guard lock(mutex_);
+  return record_.contains(window);
 }
 
 }  // namespace patina

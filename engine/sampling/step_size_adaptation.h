@@ -19,6 +19,12 @@ class StepSizeAdaptation {
   /// by these.
   void restart(double step_size);
 
+  /// All fields; see Archive.
+  template <typename Archive>
+  void serialise(Archive& archive) {
+    archive(target_, gamma_, mu_, log_step_, log_averaged_, error_sum_, count_);
+  }
+
  private:
   double target_, gamma_, mu_, log_step_, log_averaged_, error_sum_ = 0;
   int count_ = 0;

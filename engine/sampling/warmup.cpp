@@ -87,6 +87,10 @@ void ChainWarmup::restart(const KernelSettings& pooled) {
   step_size_.restart(pooled.step_size);
 }
 
+bool ChainWarmup::has_dimension(Eigen::Index dimension) const {
+  return std::ranges::all_of(positions_, [&](const auto& position) { return position.size() == dimension; });
+}
+
 KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth,
                     const std::vector<bool>& jagged) {
   std::vector<Eigen::MatrixXd> positions;

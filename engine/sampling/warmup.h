@@ -71,6 +71,15 @@ class ChainWarmup {
   /// Installs the pooled metric and restarts the step-size search from the pooled step.
   void restart(const KernelSettings& pooled);
 
+  /// Whether all that it saw are positions of that dimension.
+  bool has_dimension(Eigen::Index dimension) const;
+
+  /// All fields; see Archive. Include "engine/sampling/serialise.h" where it is called.
+  template <typename Archive>
+  void serialise(Archive& archive) {
+    archive(settings_, step_size_, adapts_step_size_, positions_);
+  }
+
  private:
   KernelSettings settings_;
   StepSizeAdaptation step_size_;

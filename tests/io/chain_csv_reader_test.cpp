@@ -18,7 +18,7 @@ class ChainCsvReading : public ChainCsvFile {
     for (int i = 0; i < warmup; ++i) writer.append(row(i));
     if (warmup > 0) writer.adaptation_terminated(0.25, {1, 2, 3});
     for (int i = warmup; i < warmup + samples; ++i) writer.append(row(i));
-    writer.close(1, 2);
+    writer.close();
     return slurp(path());
   }
   void expect_rows(const Rows& rows, int warmup, int total) const {
@@ -97,10 +97,28 @@ TEST_F(ChainCsvReading, AHalfLineThatTheWriterTakesBackIsForgotten) {
   std::ofstream(path(), std::ios::app) << "-0.14285714285714285,0.5,0.";  // as a full disk would leave it
   EXPECT_TRUE(reader.read_new().empty());
   writer.append(row(1));  // over it
-  writer.close(0, 0);
+  writer.close();
   for (const auto& fresh : reader.read_new()) rows.push_back(fresh);
   expect_rows(rows, 0, 2);
   EXPECT_TRUE(reader.closed());
+}
+
+TEST_F(ChainCsvReading, FollowsAChainThatIsTakenUpAgainAfterItWasClosed) {
+  ChainCsvPlace place;
+  {
+    ChainCsvWriter writer(path(), header(0, 3));
+    for (int i = 0; i < 3; ++i) writer.append(row(i));
+    place = writer.place();
+    writer.close();
+  }
+  ChainCsvReader reader(path());
+  Rows rows = reader.read_new();
+  EXPECT_TRUE(reader.closed());
+  ChainCsvWriter writer(path(), header(0, 6), place);
+  for (int i = 3; i < 6; ++i) writer.append(row(i));
+  for (const auto& fresh : reader.read_new()) rows.push_back(fresh);
+  expect_rows(rows, 0, 6);
+  EXPECT_FALSE(reader.closed());
 }
 
 TEST_F(ChainCsvReading, AMissingFooterOrAHalfHeaderIsNoError) {
@@ -138,7 +156,7 @@ TEST_F(ChainCsvReading, WhatIsNoChainFileIsRefusedWithTheLine) {
 
 TEST_F(ChainCsvReading, ABadLineIsReportedAgainAtTheSamePlace) {
   const std::string good = write_chain(0, 3);
-  ChainCsvReader reader(file("bad.csv", good + "nonsense\n"));
+  ChainCsvReader reader(file("bad.csv", good.substr(0, good.find("\n#\n") + 1) + "nonsense\n"));
   const std::string first = user_error([&] { reader.read_new(); });
   EXPECT_NE(first, "");
   EXPECT_EQ(user_error([&] { reader.read_new(); }), first);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <regex>
 
@@ -17,7 +18,7 @@ class ChainCsvWriting : public ChainCsvFile {
     for (int i = 0; i < 2; ++i) writer.append(row(i));
     writer.adaptation_terminated(0.25, {1, 0.5, 1.0 / 3});
     for (int i = 2; i < 5; ++i) writer.append(row(i));
-    writer.close(1.5, 2.25);
+    writer.close();
     return lines_of(slurp(path()));
   }
 };
@@ -71,9 +72,7 @@ TEST_F(ChainCsvWriting, PutsColumnsRowsAdaptationAndFooterInCmdStansOrder) {
   EXPECT_EQ(lines[adapted + 3], "# 1, 0.5, 0.3333333333333333");
   const auto footer = position(lines, "#");  // the first empty comment ends the body for some readers
   ASSERT_EQ(footer, adapted + 4 + 3);
-  EXPECT_EQ(lines[footer + 1], "#  Elapsed Time: 1.50 seconds (Warm-up)");
-  EXPECT_EQ(lines[footer + 2], "#                2.25 seconds (Sampling)");
-  EXPECT_EQ(lines[footer + 3], "#                3.75 seconds (Total)");
+  EXPECT_EQ(std::ssize(lines), footer + 1);
 }
 
 TEST_F(ChainCsvWriting, WritesCountsAndChoicesAsIntegersAndTheRestInShortestForm) {
@@ -103,7 +102,7 @@ TEST_F(ChainCsvWriting, OnAFullDiskThrowsKeepsWholeLinesAndCanGoOn) {
   {
     ChainCsvWriter writer(path(), header(0, 200));
     for (int i = 0; i < 200; ++i) writer.append(row(i));
-    writer.close(0, 1);
+    writer.close();
     undisturbed = slurp(path());
   }
   ChainCsvWriter writer(path(), header(0, 200));
@@ -119,12 +118,65 @@ TEST_F(ChainCsvWriting, OnAFullDiskThrowsKeepsWholeLinesAndCanGoOn) {
     writer.append(row(i));
   }
   {
-    const FileSizeLimit limit(std::filesystem::file_size(path()) + 3);
-    EXPECT_NE(user_error([&] { writer.close(0, 1); }), "");
+    const FileSizeLimit limit(std::filesystem::file_size(path()) + 1);
+    EXPECT_NE(user_error([&] { writer.close(); }), "");
   }
-  writer.close(0, 1);
+  writer.close();
   EXPECT_EQ(failures, 5);
   EXPECT_EQ(slurp(path()), undisturbed);
+}
+
+/// Two rows of warm-up, then rows up to `rows`, from wherever the writer is.
+void write_rows(ChainCsvWriter& writer, int begin, int end, const std::function<ChainCsvRow(int)>& row) {
+  for (int i = begin; i < end; ++i) {
+    if (i == 2 && !writer.place().adapted) writer.adaptation_terminated(0.25, {1, 0.5, 1.0 / 3});
+    writer.append(row(i));
+  }
+}
+
+TEST_F(ChainCsvWriting, GoesOnFromAnyPlaceToTheBytesOfAFileWrittenAtOnceAlsoForMoreRows) {
+  std::string at_once;
+  {
+    ChainCsvWriter writer(path(), header(2, 18));
+    write_rows(writer, 0, 20, row);
+    writer.close();
+    at_once = slurp(path());
+  }
+  for (int stop = 0; stop < 20; ++stop) {
+    ChainCsvPlace place;
+    {
+      ChainCsvWriter writer(path(), header(2, 9));  // fewer were asked for at first
+      write_rows(writer, 0, stop, row);
+      place = writer.place();
+      write_rows(writer, stop, stop + 3, [](int) { return row(77); });  // not to be kept
+      writer.close();
+    }
+    ChainCsvWriter writer(path(), header(2, 18), place);
+    EXPECT_EQ(writer.place(), place);
+    write_rows(writer, stop, 20, row);
+    writer.close();
+    EXPECT_EQ(slurp(path()), at_once) << "stopped after row " << stop;
+  }
+}
+
+TEST_F(ChainCsvWriting, DoesNotGoOnWithAFileThatIsShorterOrAnothers) {
+  ChainCsvPlace place;
+  {
+    ChainCsvWriter writer(path(), header(0, 9));
+    writer.append(row(1));
+    place = writer.place();
+  }
+  const std::string before = slurp(path());
+  ChainCsvPlace beyond = place;
+  ++beyond.bytes;
+  EXPECT_NE(user_error([&] { ChainCsvWriter(path(), header(0, 9), beyond); }).find("shorter"),
+            std::string::npos);
+  ChainCsvHeader other = header(0, 9);
+  other.seed = 5;
+  EXPECT_NE(user_error([&] { ChainCsvWriter(path(), other, place); }).find("is not the chain file"),
+            std::string::npos);
+  EXPECT_NE(user_error([&] { ChainCsvWriter(folder_ / "none.csv", other, place); }), "");
+  EXPECT_EQ(slurp(path()), before);
 }
 
 TEST_F(ChainCsvWriting, ToADeviceThatIsAlwaysFullOrAPlaceThatIsNotThereIsAUserError) {

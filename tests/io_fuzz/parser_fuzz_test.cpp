@@ -56,7 +56,7 @@ TEST_F(ParserFuzz, ChainFiles) {
       if (i == 2) writer.adaptation_terminated(0.1, {1, 2});
       writer.append({-1.5 * i, 0.5, 0.1, 1, i == 3, 2.5, {0.25 * i, std::nan("")}});
     }
-    writer.close(1, 2);
+    writer.close();
   }
   fuzz(slurp(folder_ / "chain.csv"), 4000, 200, [](const std::filesystem::path& path) {
     ChainCsvReader reader(path);

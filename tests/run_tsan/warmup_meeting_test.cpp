@@ -35,7 +35,7 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
         std::vector<WindowResult> all;
         for (int other = 0; other < kChains; ++other) all.push_back(result(other, m));
         if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
-        const KernelSettings pooled = meeting.meet(k, result(k, m), never.get_token());
+        const KernelSettings pooled = meeting.meet(k, m, result(k, m), never.get_token());
         const KernelSettings expected = pool(all, MetricKind::dense);
         right += pooled.metric->covariance() == expected.metric->covariance() &&
                  pooled.step_size == expected.step_size;
@@ -53,7 +53,7 @@ TEST(WarmupMeeting, AStopReleasesTheChainsThatWait) {
   for (int k = 0; k + 1 < kChains; ++k)  // the last one never comes
     chains.emplace_back([&, k] {
       try {
-        meeting.meet(k, result(k, 0), stop.get_token());
+        meeting.meet(k, 0, result(k, 0), stop.get_token());
       } catch (const RunStopped&) {
         ++released;
       }

@@ -1,0 +1,46 @@
+#include "engine/run/same_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/error.h"
+#include "engine/io/file.h"
+
+namespace patina {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
+Json identity(const Manifest& manifest) {
+  Json json = Json::parse(to_json(manifest));
+  for (const char* progress : {"phase", "reason", "map", "seconds"}) json.erase(progress);
+  json["photo"].erase("warnings");
+  for (const char* free : {"draws", "map_only"}) json["settings"].erase(free);
+  json["settings"].erase("network");  // its checksum counts, not where it lies
+  return json.flatten();
+}
+
+std::string value_in(const Json& flat, const std::string& key) {
+  return flat.contains(key) ? flat[key].dump() : "not set";
+}
+
+}  // namespace
+
+std::string run_key(const Manifest& manifest) { return sha256_hex(identity(manifest).dump()); }
+
+void check_same_run(const std::filesystem::path& directory, const Manifest& made, const Manifest& asked) {
+  const Json before = identity(made), now = identity(asked);
+  Json keys = before;
+  keys.update(now);
+  for (const auto& [key, ignored] : keys.items()) {
+    const std::string there = value_in(before, key), here = value_in(now, key);
+    if (there != here)
+      throw UserError("The run in " + directory.string() + " has another " + key.substr(1) + " (" + there +
+                      ", not " + here + "): go on with it as it was made, or start a new run.");
+  }
+  if (asked.settings.draws < made.settings.draws)
+    throw UserError("The run in " + directory.string() + " was asked for " +
+                    std::to_string(made.settings.draws) + " draws a chain: ask for as many or more.");
+}
+
+}  // namespace patina

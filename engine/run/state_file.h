@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace patina {
+
+// The sampler's state in a run directory, from which a run that was stopped or killed goes on to the very
+// same draws:
+//   mode.state      the mode and Laplace's covariance there: what the search handed to the chains
+//   warmup.state    what the chains agreed on at the end of each window of warm-up
+//   chain-K.state   one chain between two transitions, renewed every few seconds
+// Numbers as this machine keeps them: the same draws are promised on the same machine only.
+
+std::filesystem::path mode_state_file(const std::filesystem::path& directory);
+std::filesystem::path warmup_state_file(const std::filesystem::path& directory);
+std::filesystem::path chain_state_file(const std::filesystem::path& directory, int chain);
+
+constexpr int kStateFormat = 1;  ///< grows with every change of what is serialised
+
+/// Writes one line (format, what run it belongs to, SHA-256) and the payload, atomically.
+/// @param run_key  without blanks; see run_key()  @throws UserError
+void write_state(const std::filesystem::path& file, const std::string& run_key, std::string_view payload);
+
+/// The payload of a state file; nothing if there is no such file.
+/// @throws UserError for a file that is damaged, of another format, or belongs to another run
+std::optional<std::string> read_state(const std::filesystem::path& file, const std::string& run_key);
+
+/// Throws the UserError for a state file that cannot be used. @param why  a clause
+[[noreturn]] void refuse_state(const std::filesystem::path& file, const std::string& why);
+
+}  // namespace patina

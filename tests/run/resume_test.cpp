@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <deque>
+#include <random>
+#include <thread>
+
+#include "engine/run/chain.h"
+#include "engine/run/controlled_density.h"
+#include "engine/run/run_files.h"
+#include "engine/run/run_state.h"
+#include "engine/run/state_file.h"
+#include "engine/run/threads.h"
+#include "engine/sampling/kernels.h"
+#include "tests/run/run_fixture.h"
+
+namespace patina {
+namespace {
+
+constexpr int kChains = 3;
+
+/// Two correlated coordinates and three levels that displace them, with a hook that every evaluation runs
+/// first.
+class Mixed final : public LogDensity {
+ public:
+  std::function<void()> before;
+
+  Eigen::Index dimension() const override { return 2; }
+  std::vector<int> discrete_levels() const override { return {3}; }
+  Evaluation evaluate(const Position& p) const override {
+    if (before) before();
+    const double x = p.continuous[0] - 0.5 * p.discrete[0], y = p.continuous[1];
+    return {-x * x - y * y + x * y - 0.1 * x * x * x * x,
+            Eigen::Vector2d(-2 * x + y - 0.4 * x * x * x, -2 * y + x)};
+  }
+};
+
+/// A run's chains, warm-up meetings and state files on a target that costs nothing.
+class ResumeTest : public FolderTest {
+ protected:
+  ResumeTest() {
+    settings_.chains = kChains;
+    settings_.warmup = 150;  // five windows
+    settings_.draws = 60;
+    settings_.material = "mixed";
+    table_.material = "mixed";
+    table_.continuous = {{"x", "", "", {0, 1, -100, 100}}, {"y", "", "", {0, 1, -100, 100}}};
+    table_.discrete = {{"level", "", {"a", "b", "c"}}};
+  }
+
+  /// Takes up the run in that directory and goes on until its end or a stop.
+  void take_up(RunShared& shared, const std::filesystem::path& directory) {
+    const ControlledDensity target(target_, shared.control);
+    const auto kernel = make_kernel("hmc", target, 0.7, 0.3);
+    const Position mode{Eigen::Vector2d::Zero(), Eigen::VectorXi::Zero(1)};
+    std::filesystem::create_directories(directory);
+    const ChainPlan plan{settings_,
+                         table_,
+                         target,
+                         *kernel,
+                         [](const Position& p) {
+                           return ParameterValues{{p.continuous.begin(), p.continuous.end()},
+                                                  {p.discrete.begin(), p.discrete.end()}};
+                         },
+                         {mode, Mixed().evaluate(mode)},
+                         std::make_shared<const Metric>(Metric::identity(2)),
+                         directory,
+                         "key",
+                         std::chrono::milliseconds(1)};
+    shared.edit_status([&](RunStatus& status) { status.chains.resize(kChains); });
+    WarmupMeeting meeting(
+        kChains, MetricKind::dense, 20,
+        [&](const WarmupRecord& record) { write_warmup(directory, "key", record); },
+        read_warmup(directory, "key", target));
+    std::deque<Chain> chains;
+    for (int k = 0; k < kChains; ++k) chains.emplace_back(plan, meeting, shared, k);
+    std::vector<std::jthread> threads;
+    for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+  }
+
+  /// The same undisturbed.
+  std::vector<Draw> take_up(const std::filesystem::path& directory) {
+    RunShared shared({});
+    take_up(shared, directory);
+    EXPECT_EQ(shared.failure(), "");
+    return shared.draws.take_all();
+  }
+
+  /// Takes up the run in a process of its own, which is killed, or else asked to stop, at its n-th
+  /// evaluation.
+  /// @return whether it came to its end
+  bool take_up_until(int evaluation, bool kill, const std::filesystem::path& directory) {
+    const int status = exit_status_of([&] {
+      use_tensor_threads(1);  // libtorch mends its thread pool after a fork, but for one thread only
+      RunShared shared({});
+      std::atomic<int> evaluations{0};
+      target_.before = [&] {
+        if (++evaluations < evaluation) return;
+        if (kill) ::raise(SIGKILL);
+        shared.control.stop();
+      };
+      take_up(shared, directory);
+      if (!shared.failure().empty()) std::fprintf(stderr, "%s\n", shared.failure().c_str());
+      if (!shared.failure().empty()) return 2;
+      return evaluations < evaluation ? 0 : 1;
+    });
+    EXPECT_TRUE(status == 0 || status == 1 || status == -SIGKILL) << status;
+    return status == 0;
+  }
+
+  static std::string bytes_of(const std::filesystem::path& directory) {
+    std::string bytes;
+    for (int k = 0; k < kChains; ++k) bytes += slurp(chain_file(directory, k));
+    return bytes;
+  }
+
+  RunSettings settings_;
+  ParameterTable table_;
+  Mixed target_;
+};
+
+TEST_F(ResumeTest, KilledAndStoppedAtRandomTheFinishedChainsAreByteForByteTheUndisturbedOnes) {
+  std::mt19937 random(7);
+  int interruptions = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    settings_.seed = seed;
+    const auto undisturbed = folder_ / ("a" + std::to_string(seed));
+    const auto disturbed = folder_ / ("b" + std::to_string(seed));
+    take_up(undisturbed);
+    for (int tries = 0;; ++tries) {
+      ASSERT_LT(tries, 500) << "it does not get ahead";
+      const int evaluation = 1 + static_cast<int>(random() % 400);
+      if (take_up_until(evaluation, random() % 3 > 0, disturbed)) break;
+      ++interruptions;
+    }
+    ASSERT_EQ(bytes_of(disturbed), bytes_of(undisturbed)) << "seed " << seed;
+  }
+  EXPECT_GT(interruptions, 40);
+}
+
+TEST_F(ResumeTest, OneWordOfTheRandomStreamAsideTheFinishedChainsDiffer) {
+  take_up(folder_ / "a");
+  const auto disturbed = folder_ / "b";
+  take_up_until(500, /*kill=*/false, disturbed);
+  const auto file = chain_state_file(disturbed, 0);
+  auto checkpoint = read_checkpoint(file, "key", target_, settings_.warmup);
+  ASSERT_TRUE(checkpoint);
+  ++checkpoint->random_position;
+  write_checkpoint(file, "key", *checkpoint);
+  take_up(disturbed);
+  EXPECT_NE(slurp(chain_file(disturbed, 0)), slurp(chain_file(folder_ / "a", 0)));
+}
+
+TEST_F(ResumeTest, ARunThatIsTakenUpAgainHandsOutTheDrawsThatItHadToo) {
+  const std::vector<Draw> at_once = take_up(folder_ / "a");
+  take_up_until(700, /*kill=*/true, folder_ / "b");
+  const std::vector<Draw> in_two = take_up(folder_ / "b");
+  ASSERT_EQ(in_two.size(), at_once.size());
+  EXPECT_EQ(take_up(folder_ / "b").size(), at_once.size()) << "a finished run has nothing to add";
+}
+
+TEST_F(ResumeTest, AFinishedRunThatGoesOnForMoreDrawsIsTheLongerRun) {
+  const auto longer = folder_ / "long", shorter = folder_ / "short";
+  take_up(shorter);
+  settings_.draws = 200;
+  take_up(shorter);
+  take_up(longer);
+  EXPECT_EQ(bytes_of(shorter), bytes_of(longer));
+}
+
+TEST_F(ResumeTest, AChainWithoutItsStateIsDrawnAnewToTheSameBytes) {
+  take_up(folder_ / "a");
+  take_up_until(900, /*kill=*/true, folder_ / "b");
+  std::filesystem::remove(chain_state_file(folder_ / "b", 1));
+  take_up(folder_ / "b");
+  EXPECT_EQ(bytes_of(folder_ / "b"), bytes_of(folder_ / "a"));
+}
+
+TEST_F(ResumeTest, DamagedStatesAreRefusedWithASentenceAndNeverChangeADraw) {
+  const auto directory = folder_ / "run";
+  take_up(directory);
+  const auto file = chain_state_file(directory, 1);
+  const std::string state = slurp(file), draws = bytes_of(directory);
+  std::mt19937 random(5);
+  for (int i = 0; i < 200; ++i) {
+    std::string damaged = state;
+    if (i % 2 == 0)
+      damaged.resize(random() % damaged.size());
+    else
+      damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
+    this->file("run/chain-2.state", damaged);
+    EXPECT_NE(user_error([&] { read_checkpoint(file, "key", target_, settings_.warmup); }), "") << i;
+  }
+  EXPECT_EQ(bytes_of(directory), draws);
+}
+
+TEST_F(ResumeTest, AForgedStateWithARightChecksumIsStillNotBelieved) {
+  const auto file = folder_ / "chain-1.state";
+  take_up_until(500, /*kill=*/false, folder_);
+  const auto payload = read_state(file, "key");
+  ASSERT_TRUE(payload);
+  std::mt19937 random(5);
+  for (int i = 0; i < 300; ++i) {
+    std::string forged = *payload;
+    forged[random() % forged.size()] = static_cast<char>(random());
+    if (i % 3 == 0) forged.resize(random() % forged.size());
+    write_state(file, "key", forged);
+    try {  // refused with a sentence, or a state that fits; never a crash
+      read_checkpoint(file, "key", target_, settings_.warmup);
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find("cannot be used"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(ResumeTest, AStateOfAnotherRunAnotherFileOrLostAgreementsIsRefused) {
+  const auto directory = folder_ / "run";
+  take_up(directory);
+  const auto refusal = [&] { return user_error([&] { take_up(directory); }); };
+  const auto read = [&](const std::string& key) {
+    return user_error([&] { read_checkpoint(chain_state_file(directory, 0), key, target_, 150); });
+  };
+  EXPECT_EQ(read("key"), "");
+  EXPECT_NE(read("other").find("another run"), std::string::npos);
+
+  const std::string rows = slurp(chain_file(directory, 0));
+  std::string edited = rows;
+  edited[edited.rfind("\n-") + 2] ^= 1;  // the first digit of the last density
+  file("run/chain-1.csv", rows.substr(0, rows.size() / 2));
+  EXPECT_NE(refusal().find("shorter"), std::string::npos);
+  file("run/chain-1.csv", edited);
+  EXPECT_NE(refusal(), "");
+  file("run/chain-1.csv", rows);
+  std::filesystem::remove(warmup_state_file(directory));
+  EXPECT_NE(refusal().find("warmup.state"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace patina
