@@ -35,11 +35,11 @@ std::unique_ptr<Kernel> make_discrete_move();
 /// others. Where coordinates matter separately, it is accepted far more often than a joint proposal.
 std::unique_ptr<Kernel> make_single_discrete_move();
 
-/// Moves one continuous coordinate, chosen at random with jagged ones preferred, or all jagged ones, towards
-/// a fresh draw from N(0, I): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log 0.1, 0) (preconditioned
-/// Crank-Nicolson; Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled to a prior N(0, I) it
-/// crosses flat directions, and from one basin to another, in one step, which no local move does. Valid for
-/// any target.
+/// Moves one continuous coordinate, chosen at random with jagged ones and ones that have room preferred, or
+/// all jagged ones, towards a fresh draw from N(0, I): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log
+/// 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled
+/// to a prior N(0, I) it crosses flat directions, and from one basin to another, in one step, which no local
+/// move does. Valid for any target.
 std::unique_ptr<Kernel> make_refresh_move();
 
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
