@@ -1,7 +1,7 @@
 #include "engine/sampling/shear.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/rng.h"
-#include "tests/sampling/chain_runner.h"
+#include "engine/sampling/sample.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -140,10 +140,8 @@ FunctionTarget bent_ridge() {
 TEST(Warmup, that_straightens_a_bent_ridge_makes_an_evaluation_worth_several) {
   const FunctionTarget target = bent_ridge();
   const auto kernel = make_kernel("hmc", target, 1, 0.3);
-  const auto start = [](Rng& rng) { return rng.normals(8); };
   const auto worth = [&](MetricKind metric) {
-    const RunPlan plan{.warmup = 500, .draws = 2000, .metric = metric};
-    const ChainsDrawn drawn = ChainRunner(target, *kernel, plan, start, Metric::identity(8)).run();
+    const Sample drawn = sample(target, *kernel, {.warmup = 500, .draws = 2000, .metric = metric});
     EXPECT_NEAR(drawn.coordinates[0].mean(), 0, 0.2);
     return std::min(mean_ess(drawn.coordinates[0]), mean_ess(drawn.coordinates[1])) /
            static_cast<double>(drawn.evaluations);

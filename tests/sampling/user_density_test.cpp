@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
-#include "engine/sampling/warmup.h"
+#include "engine/sampling/sample.h"
 
 // What a user writes to sample a density of their own, from end to end; it knows nothing of materials.
 
@@ -38,57 +37,6 @@ class Growth final : public LogDensity {
   static constexpr double kLogSeen[11] = {0.62, 1.49, 2.23, 3.03, 3.59, 4.10, 4.25, 4.49, 4.44, 4.66, 4.58};
 };
 
-struct Chain {
-  ChainState state;
-  ChainWarmup warmup;
-  Rng rng;
-};
-
-std::vector<Chain> start_chains(const LogDensity& target, const Kernel& kernel, int count) {
-  std::vector<Chain> chains;
-  const auto metric = std::make_shared<const Metric>(Metric::identity(target.dimension()));
-  for (int k = 0; k < count; ++k) {
-    Rng rng(/*seed=*/1, /*stream=*/k);
-    const Position start{Eigen::Vector2d(0, std::log(100.0)) + rng.normals(2), {}};
-    chains.push_back({{start, target.evaluate(start)}, {{0.1, metric}, kernel.target_acceptance()}, rng});
-  }
-  return chains;
-}
-
-/// @return the settings to sample with, the same for all chains
-KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, int iterations,
-                       std::vector<Chain>& chains) {
-  KernelSettings frozen;
-  for (const WarmupWindow& window : warmup_schedule(iterations)) {
-    std::vector<WindowResult> seen;
-    for (Chain& chain : chains) {
-      for (int t = window.begin; t < window.end; ++t)
-        chain.warmup.observe(chain.state,
-                             kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
-      seen.push_back(chain.warmup.take_window());
-    }
-    const KernelSettings pooled = pool(seen, MetricKind::dense);
-    if (window.adapts_metric)
-      for (Chain& chain : chains) chain.warmup.restart(pooled);
-    frozen = {pooled.step_size, chains.front().warmup.settings().metric};
-  }
-  return frozen;
-}
-
-/// @return one matrix per coordinate, draws x chains
-std::vector<Eigen::MatrixXd> sample(const LogDensity& target, const Kernel& kernel,
-                                    const KernelSettings& frozen, int draws, std::vector<Chain>& chains) {
-  std::vector<Eigen::MatrixXd> coordinates(target.dimension(), Eigen::MatrixXd(draws, chains.size()));
-  for (std::size_t k = 0; k < chains.size(); ++k) {
-    for (int t = 0; t < draws; ++t) {
-      kernel.step(target, frozen, chains[k].state, chains[k].rng);
-      for (Eigen::Index i = 0; i < target.dimension(); ++i)
-        coordinates[i](t, k) = chains[k].state.position.continuous[i];
-    }
-  }
-  return coordinates;
-}
-
 /// The posterior's mean by quadrature on a grid: a second route that needs neither gradient nor chain.
 Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -105,10 +53,8 @@ Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
 
 TEST(UserDensity, is_sampled_from_end_to_end_and_agrees_with_quadrature) {
   const Growth target;
-  const auto kernel = make_kernel("mala", target, 1);
-  std::vector<Chain> chains = start_chains(target, *kernel, 4);
-  const KernelSettings frozen = warm_up(target, *kernel, 500, chains);
-  const std::vector<Eigen::MatrixXd> draws = sample(target, *kernel, frozen, 1500, chains);
+  const std::vector<Eigen::MatrixXd> draws =
+      sample(target, *make_kernel("nuts", target, 1), {.draws = 1500}).coordinates;
   const Eigen::Vector2d expected = mean_by_quadrature(target);
   for (Eigen::Index i = 0; i < 2; ++i) {
     EXPECT_LT(split_rhat(draws[i]), 1.01);
