@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "engine/diagnostics/convergence.h"
@@ -12,30 +15,37 @@
 namespace patina {
 namespace {
 
-/// Logistic growth of a population seen at eleven times with 10 % error: rate and capacity, both positive,
-/// sampled as their logs x, with prior x ~ N((0, log 100), 1) in which the Jacobian of the logs is included.
-class Growth final : public LogDensity {
- public:
+// What stands between the next two marks is shown in the README, to the letter.
+// [readme]
+/// Logistic growth of a population, seen at eleven times to 10 %: x = (log rate, log capacity), with prior
+/// x ~ N((0, log 100), I).
+struct Growth final : LogDensity {
+  const std::vector<double> log_seen{0.62, 1.49, 2.23, 3.03, 3.59, 4.10, 4.25, 4.49, 4.44, 4.66, 4.58};
+
   Eigen::Index dimension() const override { return 2; }
 
   Evaluation evaluate(const Position& position) const override {
-    const double rate = std::exp(position.continuous[0]), capacity = std::exp(position.continuous[1]);
-    const Eigen::Vector2d offset = position.continuous - Eigen::Vector2d(0, std::log(100.0));
+    const Eigen::Vector2d x = position.continuous, offset = x - Eigen::Vector2d(0, std::log(100));
+    const double rate = std::exp(x[0]), capacity = std::exp(x[1]);
     Evaluation result{-0.5 * offset.squaredNorm(), -offset};
-    for (int t = 0; t <= 10; ++t) {
+    for (std::size_t t = 0; t < log_seen.size(); ++t) {
       // log population = log capacity - log(1 + (capacity / 2 - 1) e^(-rate t)), from 2 at t = 0
       const double decay = std::exp(-rate * t), rest = 1 + (capacity / 2 - 1) * decay;
-      const double misfit = (kLogSeen[t] - (position.continuous[1] - std::log(rest))) / 0.1;
+      const double misfit = (log_seen[t] - x[1] + std::log(rest)) / 0.1;
       result.log_density -= 0.5 * misfit * misfit;
       result.gradient[0] += misfit / 0.1 * (capacity / 2 - 1) * decay * rate * t / rest;
       result.gradient[1] += misfit / 0.1 * (1 - capacity / 2 * decay / rest);
     }
     return result;
   }
-
- private:
-  static constexpr double kLogSeen[11] = {0.62, 1.49, 2.23, 3.03, 3.59, 4.10, 4.25, 4.49, 4.44, 4.66, 4.58};
 };
+
+/// @return draws x chains of the log rate and of the log capacity, for split_rhat(), bulk_ess() and the rest
+std::vector<Eigen::MatrixXd> draw_growth() {
+  const Growth target;
+  return sample(target, *make_kernel("nuts", target, 1), {.draws = 1500}).coordinates;
+}
+// [/readme]
 
 /// The posterior's mean by quadrature on a grid: a second route that needs neither gradient nor chain.
 Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
@@ -53,8 +63,7 @@ Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
 
 TEST(UserDensity, is_sampled_from_end_to_end_and_agrees_with_quadrature) {
   const Growth target;
-  const std::vector<Eigen::MatrixXd> draws =
-      sample(target, *make_kernel("nuts", target, 1), {.draws = 1500}).coordinates;
+  const std::vector<Eigen::MatrixXd> draws = draw_growth();
   const Eigen::Vector2d expected = mean_by_quadrature(target);
   for (Eigen::Index i = 0; i < 2; ++i) {
     EXPECT_LT(split_rhat(draws[i]), 1.01);
@@ -74,6 +83,25 @@ TEST(UserDensity, gradient_is_that_of_its_value) {
         (target.evaluate({x + step, {}}).log_density - target.evaluate({x - step, {}}).log_density) / 2e-5;
     EXPECT_NEAR(at_x.gradient[i], slope, 1e-5 * (1 + std::abs(slope)));
   }
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(UserDensity, is_the_one_in_the_readme_and_takes_about_thirty_lines) {
+  const std::vector<std::string> source = lines_of(__FILE__),
+                                 readme = lines_of(PATINA_SOURCE_DIR "/README.md");
+  const auto begin = std::ranges::find(source, "// [readme]") + 1,
+             end = std::ranges::find(source, "// [/readme]");
+  ASSERT_LT(begin, end);
+  EXPECT_LE(end - begin, 35);
+  std::vector<std::string> shown;  // a code block of Markdown is indented by four spaces
+  for (auto line = begin; line != end; ++line) shown.push_back(line->empty() ? "" : "    " + *line);
+  EXPECT_NE(std::ranges::search(readme, shown).begin(), readme.end());
 }
 
 }  // namespace
