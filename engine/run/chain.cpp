@@ -92,7 +92,7 @@ KernelSettings Chain::warm_up(ChainState& state) {
     if (!window.adapts_metric && !last) continue;
     const KernelSettings pooled = meeting_.meet(index_, std::move(result), shared_.control.token());
     if (window.adapts_metric) warmup.restart(pooled);
-    frozen = {pooled.step_size, warmup.settings().metric, warmup.settings().shear};
+    frozen = {pooled.step_size, warmup.settings().metric, warmup.settings().straightening};
   }
   return frozen;
 }

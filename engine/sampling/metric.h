@@ -9,7 +9,7 @@
 namespace patina {
 
 /// What of a covariance a metric keeps: nothing, the variances, or all of it; or all of it in coordinates
-/// that a Shear has straightened first.
+/// that a Straightening has straightened first.
 enum class MetricKind { identity, diagonal, dense, curved };
 
 std::vector<std::string> metric_names();

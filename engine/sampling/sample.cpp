@@ -45,7 +45,7 @@ KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const Sam
     if (window.adapts_metric)
       for (OneChain& chain : chains) chain.warmup.restart(pooled);
     const KernelSettings& now = chains.front().warmup.settings();
-    frozen = {pooled.step_size, now.metric, now.shear};
+    frozen = {pooled.step_size, now.metric, now.straightening};
   }
   return frozen;
 }
