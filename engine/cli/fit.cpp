@@ -144,7 +144,13 @@ void add_fit(CLI::App& app, Command& chosen) {
       ->type_name("NAME");
   command.add_option("--network", settings.network, "Weights of the summary's network (default: bundled)")
       ->type_name("FILE");
-  command.add_option("--kernel", settings.kernel, "Transition of the chains")->capture_default_str();
+  command.add_option("--kernel", settings.kernel, "Transition of the chains: mh, mala, hmc, nuts")
+      ->capture_default_str();
+  command
+      .add_option("--metric", settings.metric, "Covariance that warm-up learns: identity, diagonal, dense")
+      ->capture_default_str();
+  command.add_option("--discrete", settings.discrete, "Proposal of discrete levels: joint, single")
+      ->capture_default_str();
   add_counts(command, settings);
   options->capture.add_to(command);
   command.add_option("--fix", options->fixed, "Hold a parameter at a value (repeatable)")

@@ -25,6 +25,7 @@ struct ChainCsvRow {
   bool divergent = false;
   double energy = 0;
   std::vector<double> values;  ///< one per name
+  int treedepth = 1;           ///< 1 for kernels without trees
 };
 
 /// Appends whole lines, each flushed to the operating system: a kill -9 loses at most the line in flight.

@@ -94,6 +94,12 @@ struct ChainCsvReader::State {
     has_header = true;
   }
 
+  int count(double number, const char* column) {
+    if (!(number >= 0 && number < std::numeric_limits<int>::max()))
+      refuse(std::string(column) + " is out of range");
+    return static_cast<int>(number);
+  }
+
   Row read_row(std::string_view line) {
     const auto cells = split(line);
     if (cells.size() != kStatistics + header.names.size()) refuse("it has the wrong number of columns");
@@ -105,9 +111,8 @@ struct ChainCsvReader::State {
     row.row.lp = numbers[0];
     row.row.accept_stat = numbers[1];
     row.row.stepsize = numbers[2];
-    if (!(numbers[4] >= 0 && numbers[4] < std::numeric_limits<int>::max()))
-      refuse("n_leapfrog__ is out of range");
-    row.row.n_leapfrog = static_cast<int>(numbers[4]);
+    row.row.treedepth = count(numbers[3], "treedepth__");
+    row.row.n_leapfrog = count(numbers[4], "n_leapfrog__");
     row.row.divergent = numbers[5] != 0;
     row.row.energy = numbers[6];
     row.row.values.assign(numbers.begin() + kStatistics, numbers.end());

@@ -79,8 +79,9 @@ void ChainCsvWriter::append(const ChainCsvRow& row) {
     put(line, value);
     line += ',';
   }
-  // Readers take integer text only in treedepth__ and divergent__; a kernel without trees has depth 1.
-  line += "1," + std::to_string(row.n_leapfrog) + (row.divergent ? ",1," : ",0,");
+  // Readers take integer text only in treedepth__ and divergent__.
+  line +=
+      std::to_string(row.treedepth) + "," + std::to_string(row.n_leapfrog) + (row.divergent ? ",1," : ",0,");
   put(line, row.energy);
   for (const double value : row.values) {
     line += ',';

@@ -79,13 +79,22 @@ void Chain::sample() {
 KernelSettings Chain::warm_up(ChainState& state) {
   const Stopwatch stopwatch(warmup_seconds_);
   KernelSettings start;
-  start.metric = plan_.laplace;
+  start.metric = std::make_shared<const Metric>(
+      restricted(plan_.laplace->covariance(), metric_kind(plan_.settings.metric)));
+  if (plan_.settings.warmup > 0 && plan_.kernel.target_acceptance() > 0)
+    start.step_size = initial_step_size(plan_.target, start, state, rng_);
   ChainWarmup warmup(start, plan_.kernel.target_acceptance());
+  KernelSettings frozen = start;
   for (const WarmupWindow& window : warmup_schedule(plan_.settings.warmup)) {
     for (int i = window.begin; i < window.end; ++i) step(warmup.settings(), state, &warmup);
-    warmup.adopt(meeting_.meet(index_, warmup.report(), window.adapts_metric, shared_.control.token()));
+    WindowResult result = warmup.take_window();
+    const bool last = window.end == plan_.settings.warmup;
+    if (!window.adapts_metric && !last) continue;
+    const KernelSettings pooled = meeting_.meet(index_, std::move(result), shared_.control.token());
+    if (window.adapts_metric) warmup.restart(pooled);
+    frozen = {pooled.step_size, warmup.settings().metric};
   }
-  return plan_.settings.warmup > 0 ? warmup.frozen() : start;
+  return frozen;
 }
 
 void Chain::step(const KernelSettings& settings, ChainState& state, ChainWarmup* warmup) {
@@ -106,7 +115,7 @@ void Chain::record(const KernelSettings& settings, const ChainState& state, cons
   draw.step_size = settings.step_size;
   draw.divergent = info.divergent;
   draw.values = plan_.values(state.position);
-  const ChainCsvRow row = to_row(draw, info.evaluations, info.energy);
+  const ChainCsvRow row = to_row(draw, info);
   shared_.write_or_pause([&] { file_.append(row); });
 
   tally_.add(draw);

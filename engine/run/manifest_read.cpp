@@ -101,6 +101,8 @@ RunSettings settings(const Json& json) {
   s.summary = text(json, "summary");
   s.network = text(json, "network");
   s.kernel = text(json, "kernel");
+  if (json.contains("metric")) s.metric = text(json, "metric");  // runs of the first version have none
+  if (json.contains("discrete")) s.discrete = text(json, "discrete");
   s.chains = integer(json, "chains", 1, 10'000);
   s.warmup = integer(json, "warmup", 0);
   s.draws = integer(json, "draws", 0);

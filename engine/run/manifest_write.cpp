@@ -24,6 +24,8 @@ Json settings_json(const RunSettings& s) {
           {"summary", s.summary},
           {"network", s.network.string()},
           {"kernel", s.kernel},
+          {"metric", s.metric},
+          {"discrete", s.discrete},
           {"chains", s.chains},
           {"warmup", s.warmup},
           {"draws", s.draws},

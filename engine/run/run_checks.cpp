@@ -23,12 +23,11 @@ void check_length(const char* what, double cm) {
   throw UserError("The " + std::string(what) + " must be from 0.1 to 10000 cm.");
 }
 
-void check_kernel(const std::string& kernel) {
-  const std::vector<std::string> names = kernel_names();
-  if (std::ranges::find(names, kernel) != names.end()) return;
+void check_name(const char* what, const std::string& name, const std::vector<std::string>& names) {
+  if (std::ranges::find(names, name) != names.end()) return;
   std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  throw UserError("There is no kernel '" + kernel + "': use " + known + ".");
+  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+  throw UserError("There is no " + std::string(what) + " '" + name + "': use " + known + ".");
 }
 
 }  // namespace
@@ -52,7 +51,9 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
     throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
   if (!(settings.refresh >= 0 && settings.refresh < 1))
     throw UserError("The share of refresh moves must be at least 0 and below 1.");
-  check_kernel(settings.kernel);
+  check_name("kernel", settings.kernel, kernel_names());
+  check_name("metric", settings.metric, metric_names());
+  check_name("discrete proposal", settings.discrete, discrete_names());
   if (photo.image.empty() || photo.image.width != photo.image.height || photo.image.channels != 3)
     throw UserError("The photo is not a square of three channels: open it again.");
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/sampling/chain_state.h"
 
 namespace patina {
 
@@ -22,14 +23,15 @@ std::vector<std::string> column_names(const ParameterTable& table) {
   return names;
 }
 
-ChainCsvRow to_row(const Draw& draw, int evaluations, double energy) {
+ChainCsvRow to_row(const Draw& draw, const TransitionInfo& info) {
   ChainCsvRow row;
   row.lp = draw.lp;
   row.accept_stat = draw.accept_stat;
   row.stepsize = draw.step_size;
-  row.n_leapfrog = evaluations;
+  row.treedepth = info.tree_depth;
+  row.n_leapfrog = info.evaluations;
   row.divergent = draw.divergent;
-  row.energy = energy;
+  row.energy = info.energy;
   row.values = draw.values.continuous;
   row.values.insert(row.values.end(), draw.values.discrete.begin(), draw.values.discrete.end());
   return row;

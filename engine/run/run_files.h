@@ -10,6 +10,8 @@
 
 namespace patina {
 
+struct TransitionInfo;
+
 // The files of a run directory.
 
 std::filesystem::path manifest_file(const std::filesystem::path& directory);  ///< run.json
@@ -21,8 +23,8 @@ std::filesystem::path chain_file(const std::filesystem::path& directory,
 /// The parameter columns of a chain file: continuous parameters, then discrete ones.
 std::vector<std::string> column_names(const ParameterTable& table);
 
-/// A draw as a row. @param energy  -lp, plus the kinetic energy where the kernel has one
-ChainCsvRow to_row(const Draw& draw, int evaluations, double energy);
+/// A draw as a row, and what else is known of the transition that made it.
+ChainCsvRow to_row(const Draw& draw, const TransitionInfo& info);
 
 /// The way back. @throws UserError for a discrete level that the table does not have
 Draw to_draw(const ChainCsvReader::Row& row, const ParameterTable& table, int chain, std::int64_t iteration);

@@ -19,6 +19,8 @@ struct RunSettings {
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
   std::string kernel = "hmc";
+  std::string metric = "dense";    ///< what warm-up learns of the covariance: identity, diagonal or dense
+  std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   int warmup = 500;
   int draws = 1200;        ///< per chain, after warm-up

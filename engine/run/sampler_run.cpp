@@ -163,7 +163,8 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh);
+  const auto kernel =
+      make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh, settings_.discrete);
   const ChainPlan plan{settings_,
                        table_,
                        target,
@@ -172,7 +173,10 @@ void SamplerRun::sample(const ModeFound& found) {
                        found.mode,
                        found.laplace,
                        directory_};
-  WarmupMeeting meeting(settings_.chains, plan.laplace);
+  // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
+  // known.
+  const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
+  WarmupMeeting meeting(settings_.chains, metric_kind(settings_.metric), laplace_worth);
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < settings_.chains; ++k)
     shared_.write_or_pause([&] { chains.emplace_back(plan, meeting, shared_, k); });

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <stop_token>
 #include <vector>
@@ -10,28 +9,29 @@
 
 namespace patina {
 
-/// Where chains meet at the end of a warm-up window to pool what they saw into one metric and one step size.
-/// The result does not depend on who comes when.
+/// Where chains meet at the end of a warm-up window to pool what they saw into one metric and one step
+/// size. The result does
+/// not depend on who comes when.
 class WarmupMeeting {
  public:
-  /// @param metric  that the chains start with
-  WarmupMeeting(int chains, std::shared_ptr<const Metric> metric)
-      : reports_(static_cast<std::size_t>(chains)) {
-    settings_.metric = std::move(metric);
-  }
+  /// @param metric_worth  as pool() has it
+  explicit WarmupMeeting(int chains, MetricKind kind = MetricKind::dense, double metric_worth = 0)
+      : kind_(kind), metric_worth_(metric_worth), results_(static_cast<std::size_t>(chains)) {}
 
-  /// Waits for all chains, at the end of the same window. @return what all go on with: pooled() of their
-  /// reports
+  /// Waits for all chains. @param result  of this chain's window
+  /// @return the metric and the step size that all chains go on with: pool() of all results
   /// @throws RunStopped if the run is stopped meanwhile
-  KernelSettings meet(int chain, WindowReport report, bool adapts_metric, const std::stop_token& stop);
+  KernelSettings meet(int chain, WindowResult result, const std::stop_token& stop);
 
  private:
+  MetricKind kind_;
+  double metric_worth_;
   std::mutex mutex_;
   std::condition_variable_any complete_;
-  std::vector<WindowReport> reports_;
+  std::vector<WindowResult> results_;
   int arrived_ = 0;
   int meetings_ = 0;
-  KernelSettings settings_;
+  KernelSettings pooled_;
 };
 
 }  // namespace patina

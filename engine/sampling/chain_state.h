@@ -18,12 +18,14 @@ enum class MoveKind { continuous, refresh, discrete };
 /// What one transition did. Never fed back into the chain; adaptation and front ends read it.
 struct TransitionInfo {
   MoveKind move = MoveKind::continuous;
-  double accept_probability = 0;
-  bool accepted = false;
-  bool divergent = false;  ///< the proposal's log density was not finite, or fell by more than 1000 in a
-                           ///< continuous move
+  double accept_probability = 0;  ///< of NUTS: averaged over its trajectory, as in Stan
+  bool accepted = false;          ///< of NUTS: the point drawn is not the one it started from
+  bool divergent = false;  ///< met a log density that is not finite, or one that along the gradient fell,
+                           ///< or an energy that spanned, more than 1000
   int evaluations = 0;
-  double energy = 0;  ///< -log density of the state after the transition
+  int tree_depth = 1;  ///< how often NUTS doubled its trajectory; 1 for kernels without trees
+  double energy =
+      0;  ///< -log density of the state after the transition, plus its kinetic energy if it has one
 };
 
 /// All that adaptation may change; frozen after warm-up. The metric is shared, never mutated.

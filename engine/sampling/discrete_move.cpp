@@ -10,14 +10,16 @@
 namespace patina {
 namespace {
 
+/// A move to levels that are drawn symmetrically, by propose(levels, now, rng).
+template <typename Propose>
 class DiscreteMove final : public Kernel {
  public:
+  explicit DiscreteMove(Propose propose) : propose_(propose) {}
+
   TransitionInfo step(const LogDensity& target, const KernelSettings&, ChainState& state,
                       Rng& rng) const override {
     ChainState proposal{state.position, {}};
-    const std::vector<int> levels = target.discrete_levels();
-    for (Eigen::Index i = 0; i < proposal.position.discrete.size(); ++i)
-      proposal.position.discrete[i] = rng.below(levels[i]);
+    proposal.position.discrete = propose_(target.discrete_levels(), state.position.discrete, rng);
     if (proposal.position.discrete == state.position.discrete) return stay(state);
 
     proposal.evaluation = evaluate_finite(target, proposal.position);
@@ -39,10 +41,33 @@ class DiscreteMove final : public Kernel {
     info.energy = -state.evaluation.log_density;
     return info;
   }
+
+  Propose propose_;
 };
+
+Eigen::VectorXi any_levels(const std::vector<int>& levels, Eigen::VectorXi now, Rng& rng) {
+  for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = rng.below(levels[i]);
+  return now;
+}
+
+Eigen::VectorXi one_other_level(const std::vector<int>& levels, Eigen::VectorXi now, Rng& rng) {
+  std::vector<Eigen::Index> with_others;
+  for (Eigen::Index i = 0; i < now.size(); ++i)
+    if (levels[i] > 1) with_others.push_back(i);
+  if (with_others.empty()) return now;
+  const Eigen::Index i = with_others[rng.below(static_cast<int>(with_others.size()))];
+  now[i] = (now[i] + 1 + rng.below(levels[i] - 1)) % levels[i];
+  return now;
+}
 
 }  // namespace
 
-std::unique_ptr<Kernel> make_discrete_move() { return std::make_unique<DiscreteMove>(); }
+std::unique_ptr<Kernel> make_discrete_move() {
+  return std::make_unique<DiscreteMove<decltype(&any_levels)>>(any_levels);
+}
+
+std::unique_ptr<Kernel> make_single_discrete_move() {
+  return std::make_unique<DiscreteMove<decltype(&one_other_level)>>(one_other_level);
+}
 
 }  // namespace patina

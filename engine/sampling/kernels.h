@@ -8,25 +8,37 @@
 
 namespace patina {
 
-/// A quarter of the period of a normal posterior in its own metric, at which a path forgets where it began.
-constexpr double kPathLength = 1.5;
-
 /// Metropolis-adjusted Langevin (Roberts & Tweedie 1996), preconditioned by the metric.
 std::unique_ptr<Kernel> make_mala();
 
-/// Hamiltonian Monte Carlo (Neal 2011) with a path of jittered length: uniform on half to one and a half
-/// times path_length, in standard deviations of the metric.
-std::unique_ptr<Kernel> make_hmc(double path_length = kPathLength);
+/// Random-walk Metropolis with proposals from N(x, step^2 C), C the metric. Makes no use of gradients.
+std::unique_ptr<Kernel> make_random_walk();
+
+/// Hamiltonian Monte Carlo (Duane et al. 1987; Neal 2011): the number of leapfrog steps is drawn anew for
+/// every transition, uniform from 1 to 2 path_length / step - 1.
+/// @param path_length  mean length of a trajectory in standard deviations (as the metric has them)
+/// @param most_steps   bound on the number of steps, and so of evaluations
+/// @throws std::invalid_argument unless both are positive
+std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 64);
+
+/// The no-U-turn sampler (Hoffman & Gelman 2014) as Stan has it: multinomial draws and the generalised
+/// criterion of Betancourt 2017 ("A conceptual introduction to Hamiltonian Monte Carlo", appendix A).
+/// @param deepest  how often a trajectory may double: up to 2^deepest - 1 evaluations
+/// @throws std::invalid_argument unless deepest >= 1
+std::unique_ptr<Kernel> make_nuts(int deepest = 10);
 
 /// Proposes a level for every discrete coordinate, uniform over the joint table (paper, Algorithm 1,
 /// DiscreteSample).
 std::unique_ptr<Kernel> make_discrete_move();
 
+/// Proposes another level, uniform over the others, for one discrete coordinate, uniform over those that have
+/// others. Where coordinates matter separately, it is accepted far more often than a joint proposal.
+std::unique_ptr<Kernel> make_single_discrete_move();
+
 /// Moves one continuous coordinate, chosen at random with jagged ones preferred, towards a fresh draw from
-/// N(0, 1): x' = sqrt(1 - b^2) x
-/// + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White
-/// 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat directions, and from one basin to
-/// another, in one step, which no local move does. Valid for any target.
+/// N(0, 1): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log 0.1, 0) (preconditioned Crank-Nicolson;
+/// Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled to a prior N(0, I) it crosses flat
+/// directions, and from one basin to another, in one step, which no local move does. Valid for any target.
 std::unique_ptr<Kernel> make_refresh_move();
 
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
@@ -39,13 +51,17 @@ std::unique_ptr<Kernel> make_smooth_block(std::unique_ptr<Kernel> kernel);
 
 std::vector<std::string> kernel_names();
 
+/// "joint": make_discrete_move(); "single": make_single_discrete_move().
+std::vector<std::string> discrete_names();
+
 /// The kernel for a target: the named continuous one, on the smooth coordinates, mixed with refresh moves,
 /// and with discrete moves where the target has discrete coordinates.
 /// @param alpha    probability of a continuous move (named or refresh) where there are discrete coordinates,
 /// (0, 1]
 /// @param refresh  probability that a continuous move is a refresh move, [0, 1)
+/// @param discrete  of discrete_names()
 /// @throws std::invalid_argument for an unknown name or a probability out of range
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
-                                    double refresh = 0);
+                                    double refresh = 0, const std::string& discrete = "joint");
 
 }  // namespace patina

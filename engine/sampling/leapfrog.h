@@ -6,19 +6,24 @@
 
 namespace patina {
 
-/// A point of phase space. The momentum is kept white: p = L^-T momentum has N(0, C^-1) as its distribution,
-/// the kinetic energy is |momentum|^2 / 2, and the metric C = L L^T enters where position and force are
-/// moved.
+/// A trajectory whose energy spans more than this (in nats) has left the path it should follow (Stan's
+/// limit).
+constexpr double kDivergentEnergy = 1000;
+
+/// A point of phase space. The momentum is whitened: with the metric C = L L^T standing for the inverse mass
+/// matrix, momentum = L^T p ~ N(0, I), so that no kernel needs C^-1, and an inner product of whitened momenta
+/// is that of a momentum and a velocity, p . C q.
 struct PhasePoint {
   ChainState state;
   Eigen::VectorXd momentum;
-
-  /// The Hamiltonian, -log density + |momentum|^2 / 2; +infinity where there is no density.
-  double energy() const { return momentum.squaredNorm() / 2 - state.evaluation.log_density; }
 };
 
-/// One step of the leapfrog integrator (Neal 2011, equations 5.18 to 5.20), volume-preserving and reversible,
-/// for any force that is a function of the position. One evaluation. A negative step size goes back in time.
-void leapfrog(const LogDensity& target, const Metric& metric, double step_size, PhasePoint& point);
+/// The Hamiltonian: -log density + |momentum|^2 / 2; +infinity where there is no density.
+double energy(const PhasePoint& point);
+
+/// One leapfrog step (Stoermer-Verlet) of the given length, negative to go back in time: reversible, volume
+/// preserving, of second order. Makes one evaluation. Should the target throw, `point` is lost but nothing
+/// else.
+void leapfrog(const LogDensity& target, const Metric& metric, double step, PhasePoint& point);
 
 }  // namespace patina

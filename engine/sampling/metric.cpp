@@ -6,6 +6,27 @@
 
 namespace patina {
 
+std::vector<std::string> metric_names() { return {"identity", "diagonal", "dense"}; }
+
+MetricKind metric_kind(const std::string& name) {
+  if (name == "identity") return MetricKind::identity;
+  if (name == "diagonal") return MetricKind::diagonal;
+  if (name == "dense") return MetricKind::dense;
+  throw std::invalid_argument("unknown metric '" + name + "'");
+}
+
+Eigen::MatrixXd restricted(const Eigen::MatrixXd& covariance, MetricKind kind) {
+  switch (kind) {
+    case MetricKind::identity:
+      return Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+    case MetricKind::diagonal:
+      return covariance.diagonal().asDiagonal();
+    case MetricKind::dense:
+      break;
+  }
+  return covariance;
+}
+
 Metric::Metric(const Eigen::MatrixXd& covariance) : covariance_(covariance) {
   if (covariance.rows() != covariance.cols()) throw std::invalid_argument("a metric must be square");
   if (!covariance.allFinite()) throw std::invalid_argument("a metric must be finite");

@@ -3,11 +3,23 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace patina {
 
-/// A dense metric: an estimate of the posterior covariance C = L L^T that preconditions the kernels.
+/// What of a covariance a metric keeps: nothing, the variances, or all of it.
+enum class MetricKind { identity, diagonal, dense };
+
+std::vector<std::string> metric_names();
+
+/// @throws std::invalid_argument for a name that is not among metric_names()
+MetricKind metric_kind(const std::string& name);
+
+/// The part of a covariance that a metric of that kind keeps.
+Eigen::MatrixXd restricted(const Eigen::MatrixXd& covariance, MetricKind kind);
+
+/// An estimate of the posterior covariance C = L L^T that preconditions the kernels.
 class Metric {
  public:
   /// @throws std::invalid_argument unless covariance is square, symmetric and positive definite

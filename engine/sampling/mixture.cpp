@@ -31,9 +31,17 @@ class Mixture final : public Kernel {
 };
 
 std::unique_ptr<Kernel> make_continuous(const std::string& name) {
-  if (name == "hmc") return make_hmc();
+  if (name == "mh") return make_random_walk();
   if (name == "mala") return make_mala();
+  if (name == "hmc") return make_hmc();
+  if (name == "nuts") return make_nuts();
   throw std::invalid_argument("unknown kernel '" + name + "'");
+}
+
+std::unique_ptr<Kernel> make_discrete(const std::string& name) {
+  if (name == "joint") return make_discrete_move();
+  if (name == "single") return make_single_discrete_move();
+  throw std::invalid_argument("unknown discrete proposal '" + name + "'");
 }
 
 void check_alpha(double alpha) {
@@ -48,10 +56,12 @@ std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::un
   return std::make_unique<Mixture>(std::move(continuous), std::move(discrete), alpha);
 }
 
-std::vector<std::string> kernel_names() { return {"hmc", "mala"}; }
+std::vector<std::string> kernel_names() { return {"mh", "mala", "hmc", "nuts"}; }
+
+std::vector<std::string> discrete_names() { return {"joint", "single"}; }
 
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
-                                    double refresh) {
+                                    double refresh, const std::string& discrete) {
   check_alpha(alpha);
   if (!(refresh >= 0 && refresh < 1)) throw std::invalid_argument("refresh must be in [0, 1)");
   std::unique_ptr<Kernel> continuous = make_continuous(name);
@@ -63,9 +73,10 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
   if (refresh > 0)
     continuous = nothing_smooth ? make_refresh_move()
                                 : make_mixture(std::move(continuous), make_refresh_move(), 1 - refresh);
+  std::unique_ptr<Kernel> levels = make_discrete(discrete);
   if (target.discrete_levels().empty()) return continuous;
-  if (target.dimension() == 0) return make_discrete_move();
-  return make_mixture(std::move(continuous), make_discrete_move(), alpha);
+  if (target.dimension() == 0) return levels;
+  return make_mixture(std::move(continuous), std::move(levels), alpha);
 }
 
 }  // namespace patina

@@ -39,34 +39,37 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
   settings_.step_size = step_size_.step_size();
 }
 
-WindowReport ChainWarmup::report() {
-  WindowReport report;
-  report.step_size = frozen().step_size;
-  if (positions_.empty()) return report;
-  report.positions.resize(positions_.front().size(), static_cast<Eigen::Index>(positions_.size()));
-  for (std::size_t i = 0; i < positions_.size(); ++i)
-    report.positions.col(static_cast<Eigen::Index>(i)) = positions_[i];
+WindowResult ChainWarmup::take_window() {
+  WindowResult result{Eigen::MatrixXd(settings_.metric->dimension(), positions_.size()),
+                      step_size_.averaged_step_size(), settings_.metric};
+  for (std::size_t i = 0; i < positions_.size(); ++i) result.positions.col(i) = positions_[i];
   positions_.clear();
-  return report;
+  return result;
 }
 
-void ChainWarmup::adopt(const KernelSettings& pooled) {
+void ChainWarmup::restart(const KernelSettings& pooled) {
   settings_ = pooled;
   step_size_.restart(pooled.step_size);
 }
 
-KernelSettings ChainWarmup::frozen() const { return {step_size_.averaged_step_size(), settings_.metric}; }
-
-KernelSettings pooled(const std::vector<WindowReport>& chains, bool adapts_metric,
-                      std::shared_ptr<const Metric> metric) {
-  double log_step = 0;
+KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth) {
   std::vector<Eigen::MatrixXd> positions;
-  for (const WindowReport& chain : chains) {
-    log_step += std::log(chain.step_size) / static_cast<double>(chains.size());
+  std::vector<double> steps;
+  double transitions = 0;
+  for (const WindowResult& chain : chains) {
+    transitions += static_cast<double>(chain.positions.cols());
     positions.push_back(chain.positions);
+    steps.push_back(chain.step_size);
   }
-  if (adapts_metric) metric = std::make_shared<const Metric>(pooled_covariance(positions));
-  return {std::exp(log_step), std::move(metric)};
+  std::ranges::sort(steps);
+  const std::size_t n = steps.size();
+  const double step = std::sqrt(steps[(n - 1) / 2] * steps[n / 2]);
+  Eigen::MatrixXd covariance = pooled_covariance(positions);
+  if (metric_worth > 0) {
+    const double share = metric_worth / (transitions + metric_worth);
+    covariance += share * (chains.front().metric->covariance() - covariance);
+  }
+  return {step, std::make_shared<const Metric>(restricted(covariance, kind))};
 }
 
 Eigen::MatrixXd pooled_covariance(const std::vector<Eigen::MatrixXd>& chains) {

@@ -37,7 +37,7 @@ void wait_for(App& app, const char* what, auto&& holds) {
 }
 
 void run(const std::filesystem::path& photo, const std::string& material) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto window = OffscreenWindow::make(1280, 800);
   App app(*window, {}, folder.path() / "runs");
   app.session().set_material(material);

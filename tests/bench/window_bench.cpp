@@ -52,7 +52,7 @@ double seconds_since(Clock::time_point start) {
 
 /// A photo of bump that the engine rendered, in a folder for one benchmark.
 struct Scene {
-  testing::TemporaryFolder folder;
+  TemporaryFolder folder;
   std::filesystem::path photo = folder.path() / "photo.png";
   ParameterTable table = material_table("bump");
 

@@ -17,7 +17,8 @@ class ChainCsvFile : public FolderTest {
   }
   static ChainCsvRow row(int index) {
     const double x = index;
-    return {-x / 7, 1 / (x + 1), 0.1 * x, index % 5 + 1, index % 3 == 0, x / 7, {x / 3, 1e-300 * x, x}};
+    return {-x / 7,   1 / (x + 1), 0.1 * x, index % 5 + 1, index % 3 == 0, x / 7, {x / 3, 1e-300 * x, x},
+            index % 4};
   }
   std::filesystem::path path() const { return folder_ / "chain-3.csv"; }
 };
@@ -25,7 +26,7 @@ class ChainCsvFile : public FolderTest {
 inline bool same(const ChainCsvRow& a, const ChainCsvRow& b) {
   return a.lp == b.lp && a.accept_stat == b.accept_stat && a.stepsize == b.stepsize &&
          a.n_leapfrog == b.n_leapfrog && a.divergent == b.divergent && a.energy == b.energy &&
-         a.values == b.values;
+         a.values == b.values && a.treedepth == b.treedepth;
 }
 
 inline std::vector<std::string> lines_of(const std::string& text) {

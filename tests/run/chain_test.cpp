@@ -66,7 +66,7 @@ class ChainTest : public FolderTest {
                          std::make_shared<const Metric>(target_.covariance),
                          directory_};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(3); });
-    WarmupMeeting meeting(3, plan.laplace);
+    WarmupMeeting meeting(3);
     std::deque<Chain> chains;
     for (int k = 0; k < 3; ++k) chains.emplace_back(plan, meeting, shared, k);
     std::vector<std::jthread> threads;

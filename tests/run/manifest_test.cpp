@@ -18,6 +18,9 @@ class ManifestTest : public FolderTest {
     Manifest m;
     m.program = "patina 9.9";
     m.settings.material = "leather";
+    m.settings.kernel = "nuts";
+    m.settings.metric = "diagonal";
+    m.settings.discrete = "single";
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.seed = std::numeric_limits<std::uint64_t>::max();
     m.settings.fixed = {{"light", 0.1 + 0.2}};

@@ -22,6 +22,8 @@ TEST_F(StartRunRefuses, UnknownNames) {
   EXPECT_NE(refusal([](auto& s) { s.material = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.summary = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.kernel = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.metric = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.discrete = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.fixed["nosuch"] = 1; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.priors["nosuch"] = {}; }).find("nosuch"), std::string::npos);
 }

@@ -16,27 +16,29 @@ using namespace std::chrono_literals;
 
 constexpr int kChains = 3;
 
-Eigen::MatrixXd positions(int chain, int meeting) {
+WindowResult result(int chain, int meeting) {
   Eigen::MatrixXd matrix(2, 20);
   for (int i = 0; i < 20; ++i)
     matrix.col(i) << std::sin(7 * i + chain), (meeting + 1) * std::cos(3 * i * chain);
-  return matrix;
+  return {matrix, 0.1 * (chain + 1) + meeting, nullptr};
 }
 
 TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
   constexpr int kMeetings = 50;
-  WarmupMeeting meeting(kChains, nullptr);
+  WarmupMeeting meeting(kChains);
   const std::stop_source never;
   std::vector<std::jthread> chains;
   std::atomic<int> right{0};
   for (int k = 0; k < kChains; ++k)
     chains.emplace_back([&, k] {
       for (int m = 0; m < kMeetings; ++m) {
-        std::vector<Eigen::MatrixXd> all;
-        for (int other = 0; other < kChains; ++other) all.push_back(positions(other, m));
+        std::vector<WindowResult> all;
+        for (int other = 0; other < kChains; ++other) all.push_back(result(other, m));
         if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
-        const KernelSettings settings = meeting.meet(k, {positions(k, m), 0.1}, true, never.get_token());
-        right += settings.metric->covariance() == pooled_covariance(all);
+        const KernelSettings pooled = meeting.meet(k, result(k, m), never.get_token());
+        const KernelSettings expected = pool(all, MetricKind::dense);
+        right += pooled.metric->covariance() == expected.metric->covariance() &&
+                 pooled.step_size == expected.step_size;
       }
     });
   chains.clear();
@@ -44,14 +46,14 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
 }
 
 TEST(WarmupMeeting, AStopReleasesTheChainsThatWait) {
-  WarmupMeeting meeting(kChains, nullptr);
+  WarmupMeeting meeting(kChains);
   std::stop_source stop;
   std::atomic<int> released{0};
   std::vector<std::jthread> chains;
   for (int k = 0; k + 1 < kChains; ++k)  // the last one never comes
     chains.emplace_back([&, k] {
       try {
-        meeting.meet(k, {positions(k, 0), 0.1}, true, stop.get_token());
+        meeting.meet(k, result(k, 0), stop.get_token());
       } catch (const RunStopped&) {
         ++released;
       }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -95,9 +96,34 @@ class LopsidedDiscreteMove final : public Kernel {
 };
 
 TEST(DiscretePosterior, has_the_enumerated_probabilities_whatever_alpha) {
-  for (const double alpha : {0.1, 0.5, 0.9})
-    for (const double z : z_scores(*make_kernel("mala", table_target(), alpha)))
-      EXPECT_LT(z, 5) << "alpha " << alpha;
+  for (const std::string& name : kernel_names())
+    for (const double alpha : {0.1, 0.5, 0.9})
+      for (const double z : z_scores(*make_kernel(name, table_target(), alpha)))
+        EXPECT_LT(z, 5) << name << ", alpha " << alpha;
+}
+
+TEST(DiscretePosterior, has_the_same_probabilities_when_one_coordinate_moves_at_a_time) {
+  for (const double z : z_scores(*make_kernel("mala", table_target(), 0.5, 0, "single"))) EXPECT_LT(z, 5);
+}
+
+TEST(SingleDiscreteMove, proposes_another_level_of_one_coordinate_and_leaves_those_of_one_level_alone) {
+  const FunctionTarget flat(0, [](const Position&) { return Evaluation{0, Eigen::VectorXd(0)}; }, {1, 3, 2});
+  const auto kernel = make_single_discrete_move();
+  Rng rng(43);
+  ChainState state = state_at(flat, {Eigen::VectorXd(0), Eigen::Vector3i(0, 1, 0)});
+  int second = 0, ups = 0;
+  constexpr int kMoves = 4000;
+  for (int t = 0; t < kMoves; ++t) {
+    const Eigen::VectorXi before = state.position.discrete;
+    kernel->step(flat, {}, state, rng);
+    const Eigen::VectorXi change = state.position.discrete - before;
+    ASSERT_EQ((change.array() != 0).count(), 1);
+    ASSERT_EQ(change[0], 0);
+    second += change[1] != 0;
+    ups += change[1] == 1 || change[1] == -2;
+  }
+  EXPECT_NEAR(second, kMoves / 2.0, 5 * std::sqrt(kMoves / 4.0));
+  EXPECT_NEAR(ups, second / 2.0, 5 * std::sqrt(second / 4.0)) << "both other levels alike";
 }
 
 TEST(DiscretePosterior, is_missed_by_lopsided_proposals) {

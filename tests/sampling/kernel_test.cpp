@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/metropolis.h"
@@ -26,23 +28,26 @@ FunctionTarget half_broken(double log_density, double gradient) {
 }
 
 TEST(Kernel, never_accepts_what_is_not_finite_and_says_so) {
-  for (const auto& [value, gradient] :
-       {std::pair{kNaN, 0.0}, {kInfinity, 0.0}, {-kInfinity, 0.0}, {0.0, kNaN}, {0.0, kInfinity}}) {
-    const FunctionTarget target = half_broken(value, gradient);
-    const KernelSettings settings = settings_with(1.5, Eigen::MatrixXd::Identity(1, 1));
-    Rng rng(51);
-    ChainState state = state_at(target, {Eigen::VectorXd::Constant(1, -0.5), {}});
-    int divergent = 0;
-    for (int t = 0; t < 500; ++t) {
-      const TransitionInfo info = make_mala()->step(target, settings, state, rng);
-      ASSERT_LE(state.position.continuous[0], 0);
-      if (!info.divergent) continue;
-      ++divergent;
-      EXPECT_EQ(info.accept_probability, 0);
-      EXPECT_FALSE(info.accepted);
+  for (const std::string& name : kernel_names())
+    for (const auto& [value, gradient] :
+         {std::pair{kNaN, 0.0}, {kInfinity, 0.0}, {-kInfinity, 0.0}, {0.0, kNaN}, {0.0, kInfinity}}) {
+      const FunctionTarget target = half_broken(value, gradient);
+      const auto kernel = make_kernel(name, target, 1);
+      const KernelSettings settings = settings_with(1.5, Eigen::MatrixXd::Identity(1, 1));
+      Rng rng(51);
+      ChainState state = state_at(target, {Eigen::VectorXd::Constant(1, -0.5), {}});
+      int divergent = 0;
+      for (int t = 0; t < 500; ++t) {
+        const TransitionInfo info = kernel->step(target, settings, state, rng);
+        ASSERT_LE(state.position.continuous[0], 0) << name;
+        ASSERT_TRUE(info.accept_probability >= 0 && info.accept_probability <= 1) << name;
+        divergent += info.divergent;
+        if (!info.divergent || name == "nuts") continue;  // a tree holds more than the point it met last
+        EXPECT_EQ(info.accept_probability, 0) << name;
+        EXPECT_FALSE(info.accepted) << name;
+      }
+      EXPECT_GT(divergent, 20) << name << ", value " << value << ", gradient " << gradient;
     }
-    EXPECT_GT(divergent, 20) << "value " << value << ", gradient " << gradient;
-  }
 }
 
 TEST(MetropolisStep, never_accepts_a_ratio_that_is_not_a_number_nor_one_place_without_density_for_another) {
@@ -71,74 +76,131 @@ TEST(Kernel, never_accepts_a_level_without_density) {
   }
 }
 
-TEST(Kernel, repeats_the_state_bit_for_bit_when_it_rejects) {
-  const GaussianTarget target(Eigen::VectorXd::Zero(3), some_covariance(3));
-  const KernelSettings settings = settings_with(2.5, some_covariance(3));
-  Rng rng(53);
-  ChainState state = state_at(target, {Eigen::VectorXd::Constant(3, 0.1), {}});
-  int rejected = 0;
-  for (int t = 0; t < 300; ++t) {
-    const ChainState before = state;
-    const TransitionInfo info = make_mala()->step(target, settings, state, rng);
-    EXPECT_EQ(info.energy, -state.evaluation.log_density);
-    EXPECT_EQ(info.evaluations, 1);
-    if (info.accepted) continue;
-    ++rejected;
-    EXPECT_EQ(state.position.continuous, before.position.continuous);
-    EXPECT_EQ(state.evaluation.gradient, before.evaluation.gradient);
-    EXPECT_EQ(state.evaluation.log_density, before.evaluation.log_density);
-  }
-  EXPECT_GT(rejected, 20);
-  EXPECT_LT(rejected, 300);
+bool same(const ChainState& a, const ChainState& b) {
+  return a.position.continuous == b.position.continuous && a.evaluation.gradient == b.evaluation.gradient &&
+         a.evaluation.log_density == b.evaluation.log_density;
 }
 
-TEST(Kernel, keeps_the_evaluation_of_where_it_is) {
+TEST(Kernel, repeats_the_state_bit_for_bit_when_it_rejects) {
   const GaussianTarget target(Eigen::VectorXd::Zero(3), some_covariance(3));
-  Rng rng(54);
-  ChainState state = state_at(target, {Eigen::VectorXd::Ones(3), {}});
-  for (int t = 0; t < 50; ++t) make_mala()->step(target, settings_with(1, some_covariance(3)), state, rng);
-  const Evaluation fresh = target.evaluate(state.position);
-  EXPECT_EQ(fresh.log_density, state.evaluation.log_density);
-  EXPECT_EQ(fresh.gradient, state.evaluation.gradient);
+  for (const std::string& name : kernel_names()) {
+    const KernelSettings settings = settings_with(name == "nuts" ? 1.7 : 1.9, some_covariance(3));
+    const auto kernel = make_kernel(name, target, 1);
+    Rng rng(53);
+    ChainState state = state_at(target, {Eigen::VectorXd::Constant(3, 0.1), {}});
+    int rejected = 0;
+    for (int t = 0; t < 400; ++t) {
+      const ChainState before = state;
+      const bool accepted = kernel->step(target, settings, state, rng).accepted;
+      EXPECT_NE(accepted, same(state, before)) << name;
+      rejected += !accepted;
+    }
+    EXPECT_GT(rejected, 20) << name;
+    EXPECT_LT(rejected, 400) << name;
+  }
+}
+
+TEST(Kernel, has_the_energy_of_where_it_is_and_no_less) {
+  const GaussianTarget target(Eigen::VectorXd::Zero(3), some_covariance(3));
+  for (const std::string& name : kernel_names()) {
+    const bool kinetic = name == "hmc" || name == "nuts";
+    const auto kernel = make_kernel(name, target, 1);
+    Rng rng(64);
+    ChainState state = state_at(target, {Eigen::VectorXd::Constant(3, 0.1), {}});
+    double mean_excess = 0;
+    constexpr int transitions = 4000;
+    for (int t = 0; t < transitions; ++t) {
+      const TransitionInfo info = kernel->step(target, settings_with(0.9, some_covariance(3)), state, rng);
+      const double excess = info.energy + state.evaluation.log_density;
+      EXPECT_GE(excess, -1e-12) << name;
+      mean_excess += excess / transitions;
+    }
+    // Half a unit for each of three momenta, chi-square with three degrees of freedom.
+    EXPECT_NEAR(mean_excess, kinetic ? 1.5 : 0, kinetic ? 5 * std::sqrt(1.5 / transitions) * 2 : 1e-12)
+        << name;
+  }
+}
+
+TEST(Kernel, evaluates_no_point_twice_counts_all_and_keeps_the_one_of_where_it_is) {
+  const GaussianTarget gaussian(Eigen::VectorXd::Zero(3), some_covariance(3));
+  for (const std::string& name : kernel_names()) {
+    std::set<std::vector<double>> seen;
+    int evaluations = 0, counted = 0;
+    const FunctionTarget target(3, [&](const Position& p) {
+      ++evaluations;
+      EXPECT_TRUE(seen.emplace(p.continuous.begin(), p.continuous.end()).second) << name;
+      return gaussian.evaluate(p);
+    });
+    const auto kernel = make_kernel(name, target, 1);
+    Rng rng(54);
+    ChainState state = state_at(gaussian, {Eigen::VectorXd::Ones(3), {}});
+    for (int t = 0; t < 100; ++t)
+      counted += kernel->step(target, settings_with(0.6, some_covariance(3)), state, rng).evaluations;
+    EXPECT_EQ(counted, evaluations) << name;
+    EXPECT_TRUE(same(state, state_at(gaussian, state.position))) << name;
+  }
 }
 
 TEST(Kernel, leaves_a_start_without_density_as_soon_as_it_finds_some) {
   const FunctionTarget target = half_broken(-kInfinity, 0);
-  Rng rng(55);
-  ChainState state = state_at(target, {Eigen::VectorXd::Constant(1, 0.1), {}});
-  for (int t = 0; t < 50; ++t)
-    make_mala()->step(target, settings_with(1, Eigen::MatrixXd::Identity(1, 1)), state, rng);
-  EXPECT_TRUE(std::isfinite(state.evaluation.log_density));
+  for (const std::string& name : kernel_names()) {
+    const auto kernel = make_kernel(name, target, 1);
+    Rng rng(55);
+    ChainState state = state_at(target, {Eigen::VectorXd::Constant(1, 0.1), {}});
+    for (int t = 0; t < 50; ++t)
+      kernel->step(target, settings_with(1, Eigen::MatrixXd::Identity(1, 1)), state, rng);
+    EXPECT_TRUE(std::isfinite(state.evaluation.log_density)) << name;
+  }
 }
 
 TEST(Kernel, flags_a_fall_by_more_than_a_thousand) {
   const GaussianTarget stiff(Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 1e-8));
-  Rng rng(56);
-  ChainState state = state_at(stiff, {Eigen::VectorXd::Zero(1), {}});
-  const TransitionInfo info =
-      make_mala()->step(stiff, settings_with(1, Eigen::MatrixXd::Identity(1, 1)), state, rng);
-  EXPECT_TRUE(info.divergent);
-  EXPECT_FALSE(info.accepted);
+  for (const char* name : {"mala", "hmc", "nuts"}) {
+    Rng rng(56);
+    ChainState state = state_at(stiff, {Eigen::VectorXd::Zero(1), {}});
+    const TransitionInfo info =
+        make_kernel(name, stiff, 1)
+            ->step(stiff, settings_with(0.2, Eigen::MatrixXd::Identity(1, 1)), state, rng);
+    EXPECT_TRUE(info.divergent) << name;
+    EXPECT_FALSE(info.accepted) << name;
+    EXPECT_EQ(info.evaluations, 1) << name << ": a path that is lost is not followed further";
+  }
 }
 
-TEST(Kernel, lets_what_a_target_throws_pass) {
-  const FunctionTarget target(1,
-                              [](const Position&) -> Evaluation { throw std::runtime_error("no device"); });
-  Rng rng(57);
-  ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
-  EXPECT_THROW(make_mala()->step(target, settings_with(1, Eigen::MatrixXd::Identity(1, 1)), state, rng),
-               std::runtime_error);
+TEST(Kernel, lets_what_a_target_throws_pass_and_stays_where_it_was) {
+  const GaussianTarget gaussian(Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Identity(1, 1));
+  for (const std::string& name : kernel_names())
+    for (const int last : {0, 1, 2}) {
+      int evaluations = 0;
+      const FunctionTarget target(1, [&](const Position& p) {
+        if (evaluations++ == last) throw std::runtime_error("no device");
+        return gaussian.evaluate(p);
+      });
+      const auto kernel = make_kernel(name, target, 1);
+      Rng rng(57);
+      ChainState state = state_at(gaussian, {Eigen::VectorXd::Constant(1, 0.3), {}});
+      ChainState before = state;
+      const auto go_on = [&] {
+        for (int t = 0; t < 10; ++t) {
+          before = state;
+          kernel->step(target, settings_with(0.1, Eigen::MatrixXd::Identity(1, 1)), state, rng);
+        }
+      };
+      EXPECT_THROW(go_on(), std::runtime_error) << name;
+      EXPECT_TRUE(same(state, before)) << name;
+    }
 }
 
 TEST(Kernel, draws_the_same_chain_from_the_same_seed) {
   const GaussianTarget target(Eigen::VectorXd::Zero(3), some_covariance(3));
-  const auto chain = [&] {
+  const auto chain = [&](const Kernel& kernel) {
     Rng rng(58, 2);
     ChainState state = state_at(target, {Eigen::VectorXd::Ones(3), {}});
-    for (int t = 0; t < 50; ++t) make_mala()->step(target, settings_with(1, some_covariance(3)), state, rng);
+    for (int t = 0; t < 50; ++t) kernel.step(target, settings_with(1, some_covariance(3)), state, rng);
     return state.position.continuous;
   };
-  EXPECT_EQ(chain(), chain());
+  for (const std::string& name : kernel_names())
+    EXPECT_EQ(chain(*make_kernel(name, target, 1)), chain(*make_kernel(name, target, 1))) << name;
 }
 
 TEST(MakeKernel, knows_its_names_and_refuses_others) {

@@ -4,7 +4,9 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 
+#include "engine/sampling/rng.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -47,6 +49,20 @@ TEST(Metric, refuses_what_is_not_a_covariance) {
   EXPECT_THROW(Metric(Eigen::MatrixXd::Zero(2, 2)), std::invalid_argument);
   for (const auto& matrix : {asymmetric, indefinite, unknown})
     EXPECT_THROW(Metric{matrix}, std::invalid_argument);
+}
+
+TEST(Metric, colours_by_a_factor_of_the_covariance_and_by_its_transpose) {
+  const Metric metric(some_covariance(4));
+  Rng rng(63);
+  const Eigen::VectorXd a = rng.normals(4), b = rng.normals(4);
+  EXPECT_NEAR(a.dot(metric.colour(b)), metric.colour_transposed(a).dot(b), 1e-12);
+  EXPECT_LT((metric.colour(metric.colour_transposed(a)) - metric.multiply(a)).norm(), 1e-12);
+}
+
+TEST(MetricKind, has_a_name_for_every_kind_and_refuses_others) {
+  EXPECT_EQ(metric_names().size(), 3u);
+  for (const std::string& name : metric_names()) EXPECT_NO_THROW(metric_kind(name));
+  EXPECT_THROW(metric_kind("low rank"), std::invalid_argument);
 }
 
 }  // namespace

@@ -55,27 +55,31 @@ std::vector<Chain> start_chains(const LogDensity& target, const Kernel& kernel, 
   return chains;
 }
 
-void warm_up(const LogDensity& target, const Kernel& kernel, int iterations, std::vector<Chain>& chains) {
+/// @return the settings to sample with, the same for all chains
+KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, int iterations,
+                       std::vector<Chain>& chains) {
+  KernelSettings frozen;
   for (const WarmupWindow& window : warmup_schedule(iterations)) {
-    std::vector<WindowReport> reports;
+    std::vector<WindowResult> seen;
     for (Chain& chain : chains) {
       for (int t = window.begin; t < window.end; ++t)
         chain.warmup.observe(chain.state,
                              kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
-      reports.push_back(chain.warmup.report());
+      seen.push_back(chain.warmup.take_window());
     }
-    const KernelSettings settings =
-        pooled(reports, window.adapts_metric, chains.front().warmup.settings().metric);
-    for (Chain& chain : chains) chain.warmup.adopt(settings);
+    const KernelSettings pooled = pool(seen, MetricKind::dense);
+    if (window.adapts_metric)
+      for (Chain& chain : chains) chain.warmup.restart(pooled);
+    frozen = {pooled.step_size, chains.front().warmup.settings().metric};
   }
+  return frozen;
 }
 
 /// @return one matrix per coordinate, draws x chains
-std::vector<Eigen::MatrixXd> sample(const LogDensity& target, const Kernel& kernel, int draws,
-                                    std::vector<Chain>& chains) {
+std::vector<Eigen::MatrixXd> sample(const LogDensity& target, const Kernel& kernel,
+                                    const KernelSettings& frozen, int draws, std::vector<Chain>& chains) {
   std::vector<Eigen::MatrixXd> coordinates(target.dimension(), Eigen::MatrixXd(draws, chains.size()));
   for (std::size_t k = 0; k < chains.size(); ++k) {
-    const KernelSettings frozen = chains[k].warmup.frozen();
     for (int t = 0; t < draws; ++t) {
       kernel.step(target, frozen, chains[k].state, chains[k].rng);
       for (Eigen::Index i = 0; i < target.dimension(); ++i)
@@ -103,8 +107,8 @@ TEST(UserDensity, is_sampled_from_end_to_end_and_agrees_with_quadrature) {
   const Growth target;
   const auto kernel = make_kernel("mala", target, 1);
   std::vector<Chain> chains = start_chains(target, *kernel, 4);
-  warm_up(target, *kernel, 500, chains);
-  const std::vector<Eigen::MatrixXd> draws = sample(target, *kernel, 1500, chains);
+  const KernelSettings frozen = warm_up(target, *kernel, 500, chains);
+  const std::vector<Eigen::MatrixXd> draws = sample(target, *kernel, frozen, 1500, chains);
   const Eigen::Vector2d expected = mean_by_quadrature(target);
   for (Eigen::Index i = 0; i < 2; ++i) {
     EXPECT_LT(split_rhat(draws[i]), 1.01);

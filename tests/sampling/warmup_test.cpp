@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
+#include "tests/sampling/chain_runner.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -55,18 +60,25 @@ TEST(StepSizeAdaptation, solves_acceptance_equal_to_target_on_a_known_curve) {
   }
 }
 
-TEST(StepSizeAdaptation, takes_the_published_steps) {
-  // Hoffman & Gelman 2014, equation 6 with the error of one, then two observations, and mu = log(10 * 0.5).
-  StepSizeAdaptation adaptation(0.5, 0.574);
+/// Hoffman & Gelman 2014, equation 6, after an acceptance of 0.9, then one of 0.2.
+void expect_published_steps(StepSizeAdaptation adaptation, double gamma, double mu) {
   adaptation.observe(0.9);
-  const double first = std::log(5.0) - 1 / 0.05 * (0.574 - 0.9) / 11;
+  const double first = mu - 1 / gamma * (0.574 - 0.9) / 11;
   EXPECT_NEAR(std::log(adaptation.step_size()), first, 1e-12);
   EXPECT_NEAR(std::log(adaptation.averaged_step_size()), first, 1e-12);
   adaptation.observe(0.2);
-  const double second = std::log(5.0) - std::sqrt(2) / 0.05 * (2 * 0.574 - 0.9 - 0.2) / 12;
+  const double second = mu - std::sqrt(2) / gamma * (2 * 0.574 - 0.9 - 0.2) / 12;
   EXPECT_NEAR(std::log(adaptation.step_size()), second, 1e-12);
   const double weight = std::pow(2, -0.75);
   EXPECT_NEAR(std::log(adaptation.averaged_step_size()), weight * second + (1 - weight) * first, 1e-12);
+}
+
+TEST(StepSizeAdaptation, takes_the_published_steps_at_first_and_gentler_ones_after_a_restart) {
+  StepSizeAdaptation adaptation(0.5, 0.574);
+  expect_published_steps(adaptation, 0.05, std::log(5.0));
+  adaptation.observe(0.3);
+  adaptation.restart(0.2);
+  expect_published_steps(adaptation, 0.4, std::log(0.2));
 }
 
 TEST(StepSizeAdaptation, takes_not_a_number_for_a_rejection) {
@@ -86,11 +98,51 @@ TEST(ChainWarmup, reaches_the_target_acceptance_of_mala_on_a_gaussian) {
   Rng rng(61);
   ChainState state = state_at(target, {Eigen::VectorXd::Zero(8), {}});
   for (int t = 0; t < 1500; ++t) warmup.observe(state, kernel->step(target, warmup.settings(), state, rng));
+  const KernelSettings frozen{warmup.take_window().step_size, warmup.settings().metric};
   double acceptance = 0;
   constexpr int draws = 4000;
   for (int t = 0; t < draws; ++t)
-    acceptance += kernel->step(target, warmup.frozen(), state, rng).accept_probability / draws;
+    acceptance += kernel->step(target, frozen, state, rng).accept_probability / draws;
   EXPECT_NEAR(acceptance, 0.574, 0.04);
+}
+
+/// N(0, C) in 13 dimensions, as many as the leather has, with a table of levels that all weigh the same.
+FunctionTarget gaussian_with_levels() {
+  const Eigen::MatrixXd precision = some_covariance(13).inverse();
+  return {13,
+          [precision](const Position& p) {
+            const Eigen::VectorXd gradient = -precision * p.continuous;
+            return Evaluation{0.5 * p.continuous.dot(gradient), gradient};
+          },
+          {3, 4}};
+}
+
+TEST(Warmup, leaves_every_chain_near_the_acceptance_that_its_kernel_asks_for) {
+  // With the default mixture a bit more than half of the transitions teach the step size anything.
+  const FunctionTarget target = gaussian_with_levels();
+  const Metric truth(some_covariance(13));
+  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(13))); };
+  for (const std::string& name : kernel_names())
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+      const auto kernel = make_kernel(name, target, 0.8, 0.3);
+      const ChainsDrawn drawn =
+          ChainRunner(target, *kernel, {.seed = seed}, start, Metric::identity(13)).run();
+      const double wanted = kernel->target_acceptance();
+      for (const double acceptance : drawn.acceptance)
+        EXPECT_NEAR(acceptance, wanted, name == "nuts" || name == "hmc" ? 0.08 : 0.13) << name;
+    }
+}
+
+TEST(InitialStepSize, brackets_an_acceptance_of_eighty_per_cent) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    const GaussianTarget target(Eigen::VectorXd::Zero(8), scale * scale * Eigen::MatrixXd::Identity(8, 8));
+    const KernelSettings settings = settings_with(0.5, Eigen::MatrixXd::Identity(8, 8));
+    Rng rng(66);
+    const ChainState state = state_at(target, {scale * rng.normals(8), {}});
+    const double step = initial_step_size(target, settings, state, rng);
+    EXPECT_GT(step, 0.1 * scale);
+    EXPECT_LT(step, 8 * scale);
+  }
 }
 
 TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
@@ -100,34 +152,67 @@ TEST(ChainWarmup, learns_nothing_about_the_step_from_discrete_moves) {
   info.move = MoveKind::discrete;
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
   EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.3);
-  EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.3);
-  EXPECT_EQ(warmup.report().positions.cols(), 10);
-  EXPECT_EQ(warmup.report().positions.cols(), 0) << "reported twice";
+  const WindowResult window = warmup.take_window();
+  EXPECT_DOUBLE_EQ(window.step_size, 0.3);
+  EXPECT_EQ(window.positions.cols(), 10);
+  EXPECT_EQ(warmup.take_window().positions.cols(), 0) << "taken twice";
 }
 
-TEST(ChainWarmup, goes_on_with_what_was_pooled) {
+TEST(ChainWarmup, goes_on_from_what_was_pooled) {
   ChainWarmup warmup(settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), 0.574);
   const ChainState state{{Eigen::VectorXd::Zero(1), {}}, {0, Eigen::VectorXd::Zero(1)}};
   TransitionInfo info;
   info.accept_probability = 0.9;
   for (int t = 0; t < 10; ++t) warmup.observe(state, info);
-  const auto metric = std::make_shared<const Metric>(Eigen::MatrixXd::Constant(1, 1, 4));
-  warmup.adopt({0.7, metric});
+  EXPECT_NE(warmup.settings().step_size, 0.3);
+  const KernelSettings pooled = settings_with(0.7, Eigen::MatrixXd::Constant(1, 1, 4));
+  warmup.restart(pooled);
+  EXPECT_EQ(warmup.settings().metric, pooled.metric);
   EXPECT_DOUBLE_EQ(warmup.settings().step_size, 0.7);
-  EXPECT_DOUBLE_EQ(warmup.frozen().step_size, 0.7);
-  EXPECT_EQ(warmup.settings().metric, metric);
-  EXPECT_EQ(warmup.frozen().metric, metric);
+  EXPECT_DOUBLE_EQ(warmup.take_window().step_size, 0.7);
 }
 
-TEST(Pooled, step_size_is_the_geometric_mean_and_the_metric_changes_only_where_it_is_adapted) {
-  Eigen::MatrixXd positions(1, 3);
-  positions << 0, 1, 2;
-  const std::vector<WindowReport> reports{{positions, 0.1}, {3 * positions, 0.4}};
-  const auto before = std::make_shared<const Metric>(Metric::identity(1));
-  const KernelSettings kept = pooled(reports, false, before), adapted = pooled(reports, true, before);
-  EXPECT_DOUBLE_EQ(kept.step_size, 0.2);
-  EXPECT_EQ(kept.metric, before);
-  EXPECT_EQ(adapted.metric->covariance(), pooled_covariance({positions, 3 * positions}));
+TEST(Pool, takes_the_median_step_in_logs_and_the_kind_of_metric_that_was_asked_for) {
+  Rng rng(65);
+  std::vector<WindowResult> chains;
+  for (const double step : {0.9, 1e-6, 0.4, 0.1}) chains.push_back({Eigen::MatrixXd(2, 50), step, nullptr});
+  for (WindowResult& chain : chains)
+    for (auto column : chain.positions.colwise()) column = Metric(some_covariance(2)).colour(rng.normals(2));
+  EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, std::sqrt(0.1 * 0.4));
+  const Eigen::Matrix2d dense = pool(chains, MetricKind::dense).metric->covariance();
+  const Eigen::Matrix2d diagonal = pool(chains, MetricKind::diagonal).metric->covariance();
+  EXPECT_NE(dense(0, 1), 0);
+  EXPECT_EQ(diagonal(0, 1), 0);
+  EXPECT_EQ(diagonal.diagonal(), dense.diagonal());
+  EXPECT_EQ(pool(chains, MetricKind::identity).metric->covariance(), Eigen::Matrix2d::Identity());
+  chains.pop_back();
+  EXPECT_DOUBLE_EQ(pool(chains, MetricKind::dense).step_size, 0.4);
+}
+
+TEST(Pool, keeps_the_windows_metric_in_proportion_to_its_worth) {
+  Rng rng(67);
+  const auto metric = std::make_shared<const Metric>(some_covariance(3));
+  std::vector<WindowResult> chains(3, {Eigen::MatrixXd(3, 20), 0.5, metric});
+  for (WindowResult& chain : chains)
+    for (auto column : chain.positions.colwise()) column = rng.normals(3);
+  const Eigen::Matrix3d seen = pool(chains, MetricKind::dense).metric->covariance();
+  const Eigen::Matrix3d kept = pool(chains, MetricKind::dense, 180).metric->covariance();
+  EXPECT_TRUE(kept.isApprox(0.25 * seen + 0.75 * some_covariance(3), 1e-12));
+}
+
+TEST(Warmup, that_is_short_gains_from_a_metric_that_is_about_right) {
+  const Metric truth(some_covariance(23));
+  const GaussianTarget target(Eigen::VectorXd::Zero(23), truth.covariance());
+  const Metric about_right(1.3 * truth.covariance() + 0.02 * Eigen::MatrixXd::Identity(23, 23));
+  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(23))); };
+  const auto least_ess = [&](double worth) {
+    const RunPlan plan{.warmup = 200, .draws = 3000, .metric_worth = worth};
+    double least = 1e300;
+    for (const auto& x : ChainRunner(target, *make_mala(), plan, start, about_right).run().coordinates)
+      least = std::min(least, mean_ess(x));
+    return least;
+  };
+  EXPECT_GT(least_ess(230), 2 * least_ess(0));
 }
 
 TEST(PooledCovariance, is_the_shrunk_within_chain_covariance) {
