@@ -7,6 +7,7 @@
 
 #include "engine/io/params_json.h"
 #include "engine/run/manifest_phase.h"
+#include "engine/run/verdict.h"
 
 namespace patina {
 namespace {
@@ -29,6 +30,17 @@ Json quantity_json(const QuantitySummary& q) {
           {"tail_ess", number(q.tail_ess)},
           {"rhat", number(q.rhat)},
           {"sd_over_prior_sd", number(q.sd_over_prior_sd)}};
+}
+
+Json direction_json(const DirectionSummary& d, const ParameterTable& table) {
+  Json loadings = Json::object();
+  for (std::size_t i = 0; i < d.loadings.size(); ++i) loadings[table.continuous[i].name] = d.loadings[i];
+  return {{"name", d.name},
+          {"share", number(d.share)},
+          {"bulk_ess", number(d.bulk_ess)},
+          {"tail_ess", number(d.tail_ess)},
+          {"rhat", number(d.rhat)},
+          {"loadings", loadings}};
 }
 
 Json chain_json(const ChainSummary& c) {
@@ -70,14 +82,22 @@ std::string quantity_line(const QuantitySummary& q) {
          (q.sd_over_prior_sd > 0.9 ? "   not pinned down by this photo\n" : "\n");
 }
 
+/// Only the columns that a direction has; its name stands at the end, since it may be long.
+std::string direction_line(const DirectionSummary& d) {
+  return name_cell("direction") + std::string(60, ' ') + cell(d.bulk_ess) + cell(d.tail_ess) + cell(d.rhat) +
+         "   " + d.name + "\n";
+}
+
 }  // namespace
 
 Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
   const RunStatus status = run.status();
   const RunSummary summary = summarize_draws(run.table(), draws);
-  Json parameters = Json::object(), chains = Json::array();
+  Json parameters = Json::object(), directions = Json::array(), chains = Json::array();
   for (std::size_t i = 1; i < summary.quantities.size(); ++i)
     parameters[summary.quantities[i].name] = quantity_json(summary.quantities[i]);
+  for (const DirectionSummary& direction : summary.directions)
+    directions.push_back(direction_json(direction, run.table()));
   for (const ChainSummary& chain : summary.chains) chains.push_back(chain_json(chain));
   return {{"directory", run.directory().string()},
           {"phase", phase_word(status.phase)},
@@ -87,6 +107,8 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
           {"map", map_json(run, status)},
           {"lp", quantity_json(summary.quantities.front())},
           {"parameters", parameters},
+          {"directions", directions},
+          {"verdict", verdict(summary)},
           {"chains", chains}};
 }
 
@@ -100,10 +122,12 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
   }
   text += "\n";
   for (const QuantitySummary& quantity : summary.quantities) text += quantity_line(quantity);
+  for (const DirectionSummary& direction : summary.directions) text += direction_line(direction);
   for (const ChainSummary& chain : summary.chains)
     text += "chain " + std::to_string(chain.chain + 1) + ": " + std::to_string(chain.draws) +
             " draws, acceptance " + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
             " divergences\n";
+  text += verdict(summary) + "\n";
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/material/metal.h"
 #include "engine/material/plaster.h"
 #include "engine/material/prior_file.h"
+#include "engine/material/translucent.h"
 #include "engine/material/wood.h"
 
 namespace patina {
@@ -29,9 +30,13 @@ Entry entry(const char* name) {
 }
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{entry<Bump>("bump"),       entry<Leather>("leather"),
-                                      entry<Plaster>("plaster"), entry<Flake>("flake"),
-                                      entry<Metal>("metal"),     entry<Wood>("wood")};
+  static const std::vector<Entry> all{entry<Bump>("bump"),
+                                      entry<Leather>("leather"),
+                                      entry<Plaster>("plaster"),
+                                      entry<Flake>("flake"),
+                                      entry<Metal>("metal"),
+                                      entry<Wood>("wood"),
+                                      entry<Translucent>("translucent")};
   return all;
 }
 

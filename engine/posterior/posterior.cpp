@@ -9,6 +9,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "engine/error.h"
@@ -40,7 +42,7 @@ struct Posterior::Parts {
   PosteriorSettings settings;
   std::shared_ptr<const Material> material;
   ParameterSpace space;
-  Irregularities z;
+  std::shared_ptr<const Irregularities> z;
   std::shared_ptr<const Summary> summary;
   at::Tensor photo_summary;
   at::Tensor inverse_sigma;
@@ -49,7 +51,7 @@ struct Posterior::Parts {
       : settings(s),
         material(make_material(s.material)),
         space(material->table(), s.priors, s.fixed),
-        z(s.z_seed),
+        z(std::make_shared<const Irregularities>(s.z_seed)),
         summary(make_summary(s.summary, s.network)) {
     if (s.resolution < summary->minimum_resolution())
       throw UserError("The resolution " + std::to_string(s.resolution) +
@@ -60,12 +62,17 @@ struct Posterior::Parts {
     inverse_sigma = inverse_sigmas(photo_summary, summary->blocks(), s.gram_sigma, s.mean_sigma);
   }
 
-  /// Half the chi-square of the render's summary, a double scalar with its graph.
-  at::Tensor misfit(const at::Tensor& parameters, const std::vector<int>& discrete) const {
-    const Surface surface = material->surface(parameters, discrete, z, settings.capture, settings.resolution);
+  /// Summary of the render at parameter values, with its graph.
+  at::Tensor summary_at(const at::Tensor& parameters, const std::vector<int>& discrete) const {
+    const Surface surface = material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
     const at::Tensor image =
         display(shade(surface, settings.capture, settings.resolution), DisplayCurve::srgb);
-    const at::Tensor residual = ((*summary)(image)-photo_summary) * inverse_sigma;
+    return (*summary)(image);
+  }
+
+  /// Half the chi-square of the render's summary, a double scalar with its graph.
+  at::Tensor misfit(const at::Tensor& parameters, const std::vector<int>& discrete) const {
+    const at::Tensor residual = (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
     return residual.to(at::kDouble).square().sum() * 0.5;
   }
 };
@@ -73,7 +80,33 @@ struct Posterior::Parts {
 Posterior::Posterior(const PosteriorSettings& settings, const Image& photo)
     : parts_(std::make_unique<Parts>(settings, photo)) {}
 
+Posterior::Posterior(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Posterior::Posterior(Posterior&&) noexcept = default;
+
 Posterior::~Posterior() = default;
+
+Eigen::VectorXd Posterior::predicted(const Position& position) const {
+  const at::NoGradGuard no_grad;
+  const ParameterValues values = parts_->space.values(position);
+  const at::Tensor whitened =
+      (parts_->summary_at(at::tensor(values.continuous, at::kFloat), values.discrete) * parts_->inverse_sigma)
+          .to(at::kDouble)
+          .contiguous();
+  return Eigen::Map<const Eigen::VectorXd>(whitened.data_ptr<double>(), whitened.numel());
+}
+
+Posterior Posterior::given(const Eigen::VectorXd& observed) const {
+  if (observed.size() != parts_->photo_summary.numel())
+    throw std::invalid_argument("an observation has as many entries as a prediction");
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->photo_summary =
+      at::tensor(at::ArrayRef<double>(observed.data(), static_cast<std::size_t>(observed.size())),
+                 at::kDouble)
+          .to(at::kFloat) /
+      parts_->inverse_sigma;
+  return Posterior(std::move(parts));
+}
 
 Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 

@@ -39,6 +39,7 @@ class Posterior final : public LogDensity {
   /// @throws UserError for unknown names, impossible priors, fixed values out of range
   Posterior(const PosteriorSettings& settings, const Image& photo);
   ~Posterior() override;
+  Posterior(Posterior&&) noexcept;
 
   Eigen::Index dimension() const override;
   std::vector<int> discrete_levels() const override;
@@ -49,6 +50,15 @@ class Posterior final : public LogDensity {
 
   /// The same with the whole gradient along every coordinate.
   Evaluation evaluate_with_whole_gradient(const Position& position) const;
+
+  /// The summary of the render at a position, each entry over the error's sd: what the photo's is expected to
+  /// be, with errors N(0, I).
+  Eigen::VectorXd predicted(const Position& position) const;
+
+  /// The posterior given another summary in the photo's place, in the units of predicted(). The errors' sds
+  /// stay those of the photo that this posterior was made for, so that predicted() + N(0, I) is a draw from
+  /// its sampling distribution to the letter.
+  Posterior given(const Eigen::VectorXd& observed) const;
 
   /// All parameters, with the priors in force; fixed ones included.
   const ParameterTable& table() const;
@@ -61,6 +71,7 @@ class Posterior final : public LogDensity {
 
  private:
   struct Parts;
+  explicit Posterior(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -132,7 +132,7 @@ void Chain::end_window(const WarmupWindow& window) {
       const KernelSettings pooled =
           meeting_.meet(index_, at_.window, std::move(result), shared_.control.token());
       if (window.adapts_metric) at_.warmup.restart(pooled);
-      at_.frozen = {pooled.step_size, at_.warmup.settings().metric, at_.warmup.settings().shear};
+      at_.frozen = {pooled.step_size, at_.warmup.settings().metric, at_.warmup.settings().straightening};
     } catch (...) {
       at_.warmup = before;
       throw;

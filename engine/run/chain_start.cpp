@@ -4,14 +4,14 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/optimizer.h"
 
 namespace patina {
 namespace {
 
 constexpr double kOverdispersion = std::numbers::sqrt2;
-constexpr int kTriesPerSpread = 3;
-constexpr double kNarrowing = 0.7;
+constexpr double kNarrowing = 0.7;  // from one try to the next
+constexpr int kClimb = 20;          // iterations
 
 /// How far a start of twice the posterior's variance falls below the mode of a normal posterior: a chi-square
 /// of so many degrees of freedom, mean and three standard deviations. Further below lies another basin, which
@@ -27,19 +27,33 @@ Eigen::VectorXi uniform_levels(const std::vector<int>& levels, Rng& rng) {
   return drawn;
 }
 
+/// From the mode towards a draw from the prior; jagged coordinates by Laplace's approximation.
+Eigen::VectorXd draw_coordinates(const LogDensity& target, const Eigen::VectorXd& mode, const Metric& laplace,
+                                 double spread, Rng& rng) {
+  const Eigen::Index dimension = mode.size();
+  const Eigen::VectorXd prior = rng.normals(dimension);
+  const Eigen::VectorXd near = kOverdispersion * laplace.colour(rng.normals(dimension));
+  const std::vector<bool> jagged = target.jagged();
+  Eigen::VectorXd drawn = mode + spread * (prior - mode);
+  for (Eigen::Index i = 0; i < dimension; ++i)
+    if (!jagged.empty() && jagged[static_cast<std::size_t>(i)]) drawn[i] = mode[i] + spread * near[i];
+  return drawn;
+}
+
 }  // namespace
 
 ChainState overdispersed_start(const LogDensity& target, const ChainState& mode, const Metric& laplace,
                                Rng& rng) {
-  const Eigen::Index dimension = mode.position.continuous.size();
-  const double lowest = mode.evaluation.log_density - deepest_fall(dimension);
-  for (int i = 0; i < kStartTries; ++i) {
-    ChainState start = mode;
-    const double spread = kOverdispersion * std::pow(kNarrowing, i / kTriesPerSpread);
-    start.position.continuous += spread * laplace.colour(rng.normals(dimension));
-    if (i < kStartTries / 2) start.position.discrete = uniform_levels(target.discrete_levels(), rng);
-    start.evaluation = evaluate_finite(target, start.position);
-    if (start.evaluation.log_density >= lowest) return start;
+  OptimizerSettings climb;
+  climb.max_iterations = kClimb;
+  climb.good_enough = mode.evaluation.log_density - deepest_fall(mode.position.continuous.size());
+  double spread = 1;
+  for (int i = 0; i < kStartTries; ++i, spread *= kNarrowing) {
+    Position start = mode.position;
+    start.continuous = draw_coordinates(target, mode.position.continuous, laplace, spread, rng);
+    if (i < kStartTries / 2) start.discrete = uniform_levels(target.discrete_levels(), rng);
+    const OptimizerResult climbed = maximize(target, start, climb);
+    if (climbed.evaluation.log_density >= climb.good_enough) return {climbed.position, climbed.evaluation};
   }
   return mode;
 }

@@ -6,16 +6,18 @@
 
 namespace patina {
 
-/// Where a chain starts: continuous coordinates from N(mode, 2 C), discrete levels uniform, so that chains
-/// start further apart than the posterior is wide and R-hat can tell whether they found each other (Gelman &
-/// Rubin 1992). Starts that lie further below the mode than an over-dispersed normal would are drawn anew,
-/// from a spread that narrows; the later half of the tries keep the mode's levels.
+/// Where a chain starts: a draw from the prior (levels uniform; jagged coordinates, which nothing climbs,
+/// from N(mode, 2 C)), from which it climbs only until it lies no deeper below the mode than a draw of twice
+/// the posterior's variance would. What the photo pins down is then about right; along what it leaves open,
+/// also along a bent ridge, chains start as far apart as the prior has it, so that R-hat can tell whether
+/// they found each other (Gelman & Rubin 1992). A climb that does not get there is given up for a start
+/// nearer to the mode; the later half of the tries keep the mode's levels.
 /// @param mode      position and evaluation of the posterior's mode
 /// @param laplace   C, the covariance of the Laplace approximation there
 /// @return a state of finite log density; the mode itself if no try of kStartTries will do
 ChainState overdispersed_start(const LogDensity& target, const ChainState& mode, const Metric& laplace,
                                Rng& rng);
 
-constexpr int kStartTries = 20;
+constexpr int kStartTries = 8;
 
 }  // namespace patina

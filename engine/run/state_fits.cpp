@@ -25,7 +25,8 @@ bool fits(const std::shared_ptr<const Metric>& metric, const LogDensity& target)
 }
 
 bool fits(const KernelSettings& settings, const LogDensity& target) {
-  return fits(settings.metric, target) && settings.step_size > 0;
+  return fits(settings.metric, target) && settings.step_size > 0 &&
+         (!settings.straightening || settings.straightening->dimension() == target.dimension());
 }
 
 }  // namespace patina

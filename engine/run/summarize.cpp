@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "engine/diagnostics/convergence.h"
+#include "engine/diagnostics/principal_directions.h"
 #include "engine/posterior/prior_transform.h"
 
 namespace patina {
@@ -65,6 +68,64 @@ QuantitySummary summarize(const std::string& name, const Eigen::MatrixXd& values
   return s;
 }
 
+std::vector<ChainMean> chain_means(const Chains& chains, const Eigen::MatrixXd& values) {
+  std::vector<ChainMean> means;
+  for (std::size_t k = 0; k < chains.size(); ++k)
+    if (!chains[k].empty())
+      means.push_back({static_cast<int>(k), values.col(static_cast<Eigen::Index>(means.size())).mean()});
+  return means;
+}
+
+/// The sum of the largest loadings, in units of the first: "height - 0.8 power".
+std::string name_of(const Eigen::VectorXd& loadings, const ParameterTable& table) {
+  constexpr double kSmall = 0.5;  // of the largest
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(loadings.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, std::greater(), [&](Eigen::Index i) { return std::abs(loadings[i]); });
+  std::string name;
+  for (const Eigen::Index i : order) {
+    const double weight = loadings[i] / loadings[order.front()];
+    if (std::abs(weight) < kSmall) break;
+    char factor[16] = "";
+    if (!name.empty())
+      std::snprintf(factor, sizeof factor, " %c %.1f ", weight < 0 ? '-' : '+', std::abs(weight));
+    name += factor + table.continuous[static_cast<std::size_t>(i)].name;
+  }
+  return name;
+}
+
+/// Sampling coordinates of all draws: one matrix a parameter, iterations x chains.
+std::vector<Eigen::MatrixXd> coordinates_of(const Chains& chains, const ParameterTable& table) {
+  std::vector<Eigen::MatrixXd> coordinates;
+  for (std::size_t i = 0; i < table.continuous.size(); ++i) {
+    const PriorTransform transform(table.continuous[i].prior);
+    coordinates.push_back(
+        matrix_of(chains, [&](const Draw& draw) { return transform.coordinate(draw.values.continuous[i]); }));
+  }
+  return coordinates;
+}
+
+std::vector<DirectionSummary> summarize_directions(const Chains& chains, const ParameterTable& table) {
+  constexpr int kDirections = 3;
+  const std::vector<Eigen::MatrixXd> coordinates = coordinates_of(chains, table);
+  if (coordinates.empty() || coordinates.front().size() == 0) return {};
+  const Eigen::Index iterations = coordinates.front().rows(), columns = coordinates.front().cols();
+  Eigen::MatrixXd draws(iterations * columns, std::ssize(coordinates));
+  for (Eigen::Index i = 0; i < draws.cols(); ++i)
+    draws.col(i) = coordinates[static_cast<std::size_t>(i)].reshaped();
+  std::vector<DirectionSummary> summaries;
+  for (const PrincipalDirection& direction : principal_directions(draws, kDirections)) {
+    const Eigen::MatrixXd values = along(direction, draws).reshaped(iterations, columns);
+    summaries.push_back({name_of(direction.loadings, table),
+                         {direction.loadings.begin(), direction.loadings.end()},
+                         direction.share,
+                         bulk_ess(values),
+                         tail_ess(values),
+                         split_rhat(values)});
+  }
+  return summaries;
+}
+
 ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
   ChainSummary s;
   s.chain = chain;
@@ -86,18 +147,20 @@ ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
 RunSummary summarize_draws(const ParameterTable& table, const std::vector<Draw>& draws) {
   const Chains chains = by_chain(draws);
   RunSummary summary;
-  summary.quantities.push_back(
-      summarize("lp", matrix_of(chains, [](const Draw& draw) { return draw.lp; }), kNaN));
+  const auto add = [&](const std::string& name, double prior_sd,
+                       const std::function<double(const Draw&)>& of) {
+    const Eigen::MatrixXd values = matrix_of(chains, of);
+    summary.quantities.push_back(summarize(name, values, prior_sd));
+    summary.quantities.back().chain_means = chain_means(chains, values);
+  };
+  add("lp", kNaN, [](const Draw& draw) { return draw.lp; });
   for (std::size_t i = 0; i < table.continuous.size(); ++i)
-    summary.quantities.push_back(
-        summarize(table.continuous[i].name,
-                  matrix_of(chains, [i](const Draw& draw) { return draw.values.continuous[i]; }),
-                  truncated_sd(table.continuous[i].prior)));
+    add(table.continuous[i].name, truncated_sd(table.continuous[i].prior),
+        [i](const Draw& draw) { return draw.values.continuous[i]; });
   for (std::size_t i = 0; i < table.discrete.size(); ++i)
-    summary.quantities.push_back(summarize(
-        table.discrete[i].name,
-        matrix_of(chains, [i](const Draw& draw) { return static_cast<double>(draw.values.discrete[i]); }),
-        kNaN));
+    add(table.discrete[i].name, kNaN,
+        [i](const Draw& draw) { return static_cast<double>(draw.values.discrete[i]); });
+  summary.directions = summarize_directions(chains, table);
   for (std::size_t k = 0; k < chains.size(); ++k)
     summary.chains.push_back(summarize_chain(static_cast<int>(k), chains[k]));
   return summary;

@@ -4,7 +4,7 @@
 
 #include "engine/sampling/log_density.h"
 #include "engine/sampling/metric.h"
-#include "engine/sampling/shear.h"
+#include "engine/sampling/straightening.h"
 
 namespace patina {
 
@@ -32,8 +32,8 @@ struct TransitionInfo {
 /// All that adaptation may change; frozen after warm-up. What is pointed to is shared, never mutated.
 struct KernelSettings {
   double step_size = 0.5;
-  std::shared_ptr<const Metric> metric;          ///< of straightened coordinates, if there is a shear
-  std::shared_ptr<const Shear> shear = nullptr;  ///< null: coordinates are used as they are
+  std::shared_ptr<const Metric> metric;  ///< of straightened coordinates, if a map says which
+  std::shared_ptr<const Straightening> straightening = nullptr;  ///< null: coordinates are used as they are
 };
 
 }  // namespace patina

@@ -35,11 +35,11 @@ std::unique_ptr<Kernel> make_discrete_move();
 /// others. Where coordinates matter separately, it is accepted far more often than a joint proposal.
 std::unique_ptr<Kernel> make_single_discrete_move();
 
-/// Moves one continuous coordinate, chosen at random with jagged ones preferred, or all jagged ones, towards
-/// a fresh draw from N(0, I): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log 0.1, 0) (preconditioned
-/// Crank-Nicolson; Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled to a prior N(0, I) it
-/// crosses flat directions, and from one basin to another, in one step, which no local move does. Valid for
-/// any target.
+/// Moves one continuous coordinate, chosen at random with jagged ones and ones that have room preferred, or
+/// all jagged ones, towards a fresh draw from N(0, I): x' = sqrt(1 - b^2) x + b xi with log b uniform on (log
+/// 0.1, 0) (preconditioned Crank-Nicolson; Cotter, Roberts, Stuart, White 2013). Where coordinates are scaled
+/// to a prior N(0, I) it crosses flat directions, and from one basin to another, in one step, which no local
+/// move does. Valid for any target.
 std::unique_ptr<Kernel> make_refresh_move();
 
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
@@ -50,8 +50,8 @@ std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::un
 /// in the metric that is left to them. At least one coordinate must not be jagged.
 std::unique_ptr<Kernel> make_smooth_block(std::unique_ptr<Kernel> kernel);
 
-/// A kernel in the coordinates that settings.shear straightens: as valid there as in the target's own, since
-/// a shear keeps volumes. Without a shear it is the kernel itself.
+/// A kernel in the coordinates that settings.straightening straightens: as valid there as in the target's
+/// own, since the map's Jacobian is part of the density. Without a map it is the kernel itself.
 std::unique_ptr<Kernel> make_straightened(std::unique_ptr<Kernel> kernel);
 
 std::vector<std::string> kernel_names();
@@ -60,7 +60,7 @@ std::vector<std::string> kernel_names();
 std::vector<std::string> discrete_names();
 
 /// The kernel for a target: the named continuous one, on the smooth coordinates, mixed with refresh moves
-/// (both in straightened coordinates where warm-up found a shear),
+/// (both in straightened coordinates where warm-up found a bent ridge),
 /// and with discrete moves where the target has discrete coordinates.
 /// @param alpha    probability of a continuous move (named or refresh) where there are discrete coordinates,
 /// (0, 1]

@@ -47,6 +47,11 @@ Eigen::VectorXd Metric::colour_transposed(const Eigen::VectorXd& v) const {
   return factor_.matrixL().transpose() * v;
 }
 
+Eigen::VectorXd Metric::conditional_sds() const {
+  const Eigen::MatrixXd precision = factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
+  return precision.diagonal().cwiseSqrt().cwiseInverse();
+}
+
 Metric Metric::conditional(const std::vector<Eigen::Index>& coordinates) const {
   const Eigen::MatrixXd precision = factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
   const Eigen::MatrixXd block = precision(coordinates, coordinates).inverse();

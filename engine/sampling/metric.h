@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// What of a covariance a metric keeps: nothing, the variances, or all of it; or all of it in coordinates that
-/// a Shear has straightened first.
+/// What of a covariance a metric keeps: nothing, the variances, or all of it; or all of it in coordinates
+/// that a Straightening has straightened first.
 enum class MetricKind { identity, diagonal, dense, curved };
 
 std::vector<std::string> metric_names();
@@ -34,6 +34,9 @@ class Metric {
   Eigen::VectorXd colour(const Eigen::VectorXd& v) const;             ///< L v: white noise to N(0, C)
   Eigen::VectorXd colour_transposed(const Eigen::VectorXd& v) const;  ///< L^T v
   double inverse_norm2(const Eigen::VectorXd& v) const;               ///< v^T C^-1 v
+
+  /// The standard deviation of each coordinate while all others are held.
+  Eigen::VectorXd conditional_sds() const;
 
   /// The metric of some coordinates while the others are held: the inverse of their block of C^-1.
   Metric conditional(const std::vector<Eigen::Index>& coordinates) const;

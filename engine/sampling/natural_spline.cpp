@@ -28,6 +28,10 @@ NaturalSplineBasis::NaturalSplineBasis(Eigen::VectorXd knots) : knots_(std::move
          "knots must be ascending");
 }
 
+double NaturalSplineBasis::clamped(double x) const {
+  return std::clamp(x, knots_[0], knots_[knots_.size() - 1]);
+}
+
 Eigen::VectorXd NaturalSplineBasis::values(double x) const {
   Eigen::VectorXd result(size());
   result << 1, x, terms(knots_, [x](double knot) { return std::pow(std::max(x - knot, 0.0), 3); });

@@ -12,7 +12,9 @@ class NaturalSplineBasis {
   /// @param knots  at least three, ascending
   explicit NaturalSplineBasis(Eigen::VectorXd knots);
 
+  const Eigen::VectorXd& knots() const { return knots_; }
   Eigen::Index size() const { return knots_.size(); }
+  double clamped(double x) const;          ///< the nearest place between the outer knots
   Eigen::VectorXd values(double x) const;  ///< size(); the first two are 1 and x
   Eigen::VectorXd slopes(double x) const;  ///< their derivatives at x
 

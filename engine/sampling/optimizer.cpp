@@ -100,6 +100,10 @@ class Climb {
       best_.stopped_because = "a stop was requested";
       return true;
     }
+    if (-value >= settings_.good_enough) {
+      best_.stopped_because = "what was asked for was reached";
+      return true;
+    }
     recent_values_.push_back(value);
     if (recent_values_.size() <= kValueWindow) return false;
     const double improvement = recent_values_.front() - value;

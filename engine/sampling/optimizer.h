@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "engine/sampling/log_density.h"
@@ -11,7 +12,8 @@ struct OptimizerSettings {
   int max_iterations = 100;
   double gradient_tolerance = 1e-3;  ///< stop when |gradient| < tolerance * max(1, |x|)
   double value_tolerance = 1e-5;  ///< stop when the value improved by less, relatively, over five iterations
-  std::function<bool()> stop_requested;  ///< asked once per iteration; empty: never
+  double good_enough = std::numeric_limits<double>::infinity();  ///< stop at this log density
+  std::function<bool()> stop_requested;                          ///< asked once per iteration; empty: never
 };
 
 struct OptimizerResult {

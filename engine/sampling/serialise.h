@@ -20,4 +20,8 @@ void serialise(Archive& archive, KernelSettings& settings);
 /// @throws ArchiveError for a covariance that no metric can have
 void serialise(Archive& archive, std::shared_ptr<const Metric>& metric);
 
+/// Lead, knots and coefficients; a null pointer has no knots.
+/// @throws ArchiveError for what no map can have
+void serialise(Archive& archive, std::shared_ptr<const Straightening>& map);
+
 }  // namespace patina

@@ -7,24 +7,22 @@
 namespace patina {
 namespace {
 
-/// A target as a function of y, see Shear.
+/// A target as a function of y, see Straightening.
 class StraightenedTarget final : public LogDensity {
  public:
-  StraightenedTarget(const LogDensity& target, const Shear& shear) : target_(target), shear_(shear) {}
+  StraightenedTarget(const LogDensity& target, const Straightening& map) : target_(target), map_(map) {}
 
   Eigen::Index dimension() const override { return target_.dimension(); }
   std::vector<int> discrete_levels() const override { return target_.discrete_levels(); }
   std::vector<bool> jagged() const override { return target_.jagged(); }
 
   Evaluation evaluate(const Position& y) const override {
-    Evaluation evaluation = target_.evaluate({shear_.bend(y.continuous), y.discrete});
-    evaluation.gradient = shear_.gradient_in_y(y.continuous[shear_.lead()], std::move(evaluation.gradient));
-    return evaluation;
+    return map_.density_of_y(y.continuous, target_.evaluate({map_.bend(y.continuous), y.discrete}));
   }
 
  private:
   const LogDensity& target_;
-  const Shear& shear_;
+  const Straightening& map_;
 };
 
 class Straightened final : public Kernel {
@@ -33,20 +31,17 @@ class Straightened final : public Kernel {
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
-    if (!settings.shear) return kernel_->step(target, settings, state, rng);
-    const Shear& shear = *settings.shear;
-    const Eigen::Index lead = shear.lead();
-    const StraightenedTarget straightened(target, shear);
-    const KernelSettings inner{settings.step_size, settings.metric, nullptr};
-    ChainState y{{shear.straighten(state.position.continuous), state.position.discrete},
-                 {state.evaluation.log_density,
-                  shear.gradient_in_y(state.position.continuous[lead], state.evaluation.gradient)}};
-    const TransitionInfo info = kernel_->step(straightened, inner, y, rng);
+    if (!settings.straightening) return kernel_->step(target, settings, state, rng);
+    const Straightening& map = *settings.straightening;
+    const StraightenedTarget straightened(target, map);
+    const KernelSettings inner{settings.step_size, settings.metric};
+    const Eigen::VectorXd y = map.straighten(state.position.continuous);
+    ChainState in_y{{y, state.position.discrete}, map.density_of_y(y, state.evaluation)};
+    const TransitionInfo info = kernel_->step(straightened, inner, in_y, rng);
     if (!info.accepted)
       return info;  // a rejected draw repeats to the last bit, which there and back would not
-    state.position = {shear.bend(y.position.continuous), y.position.discrete};
-    state.evaluation = {y.evaluation.log_density,
-                        shear.gradient_in_x(y.position.continuous[lead], std::move(y.evaluation.gradient))};
+    state.position = {map.bend(in_y.position.continuous), in_y.position.discrete};
+    state.evaluation = map.density_of_x(in_y.position.continuous, in_y.evaluation);
     return info;
   }
 

@@ -25,16 +25,17 @@ Eigen::VectorXd mean_of(const std::vector<Eigen::MatrixXd>& chains) {
   return sum / static_cast<double>(std::max<Eigen::Index>(draws, 1));
 }
 
-void straighten(std::vector<Eigen::MatrixXd>& chains, const Shear& shear) {
+void straighten(std::vector<Eigen::MatrixXd>& chains, const Straightening& map) {
   for (Eigen::MatrixXd& chain : chains)
-    for (Eigen::Index i = 0; i < chain.cols(); ++i) chain.col(i) = shear.straighten(chain.col(i));
+    for (Eigen::Index i = 0; i < chain.cols(); ++i) chain.col(i) = map.straighten(chain.col(i));
 }
 
-/// The covariance that a window was run with, near `centre`, in the coordinates of the next shear.
-Eigen::MatrixXd previous_covariance(const WindowResult& window, const Shear* next,
+/// The covariance that a window was run with, near `centre`, in the coordinates of the next map.
+Eigen::MatrixXd previous_covariance(const WindowResult& window, const Straightening* next,
                                     const Eigen::VectorXd& centre) {
   Eigen::MatrixXd covariance = window.metric->covariance();
-  if (window.shear) covariance = window.shear->covariance_in_x(centre[window.shear->lead()], covariance);
+  if (window.straightening)
+    covariance = window.straightening->covariance_in_x(centre[window.straightening->lead()], covariance);
   if (next) covariance = next->covariance_in_y(centre[next->lead()], covariance);
   return covariance;
 }
@@ -76,7 +77,7 @@ void ChainWarmup::observe(const ChainState& state, const TransitionInfo& info) {
 
 WindowResult ChainWarmup::take_window() {
   WindowResult result{Eigen::MatrixXd(settings_.metric->dimension(), positions_.size()),
-                      step_size_.averaged_step_size(), settings_.metric, settings_.shear};
+                      step_size_.averaged_step_size(), settings_.metric, settings_.straightening};
   for (std::size_t i = 0; i < positions_.size(); ++i) result.positions.col(i) = positions_[i];
   positions_.clear();
   return result;
@@ -102,13 +103,14 @@ KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, do
     steps.push_back(chain.step_size);
   }
   KernelSettings pooled{median_step(std::move(steps)), nullptr, nullptr};
-  if (kind == MetricKind::curved) pooled.shear = fit_shear(positions, jagged);
+  if (kind == MetricKind::curved) pooled.straightening = fit_straightening(positions, jagged);
   const Eigen::VectorXd centre = mean_of(positions);
-  if (pooled.shear) straighten(positions, *pooled.shear);
+  if (pooled.straightening) straighten(positions, *pooled.straightening);
   Eigen::MatrixXd covariance = pooled_covariance(positions);
   if (metric_worth > 0) {
     const double share = metric_worth / (transitions + metric_worth);
-    covariance += share * (previous_covariance(chains.front(), pooled.shear.get(), centre) - covariance);
+    covariance +=
+        share * (previous_covariance(chains.front(), pooled.straightening.get(), centre) - covariance);
   }
   pooled.metric = std::make_shared<const Metric>(restricted(covariance, kind));
   return pooled;

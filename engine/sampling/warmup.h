@@ -32,14 +32,14 @@ double initial_step_size(const LogDensity& target, const KernelSettings& setting
 
 /// What one chain brings to the end of a window.
 struct WindowResult {
-  Eigen::MatrixXd positions;                     ///< dimension x transitions
-  double step_size = 0;                          ///< averaged over the window, as dual averaging has it
-  std::shared_ptr<const Metric> metric;          ///< that the window was run with
-  std::shared_ptr<const Shear> shear = nullptr;  ///< likewise
+  Eigen::MatrixXd positions;             ///< dimension x transitions
+  double step_size = 0;                  ///< averaged over the window, as dual averaging has it
+  std::shared_ptr<const Metric> metric;  ///< that the window was run with
+  std::shared_ptr<const Straightening> straightening = nullptr;  ///< likewise
 };
 
 /// What all chains make of a window: the metric of their pooled covariance (for the curved kind, in the
-/// coordinates that a shear fitted to the window straightens), and the median of their step
+/// coordinates that a map fitted to the window straightens), and the median of their step
 /// sizes (in logs). A window holds few transitions, and one chain's estimate of the step scatters so much
 /// that some chains would be frozen far from the acceptance that was asked for; the median is not moved by a
 /// chain that is stuck.
@@ -49,7 +49,7 @@ struct WindowResult {
 /// ESS when it is kept in part.
 /// @param chains  not empty
 /// @param metric_worth  the number of transitions that the window's own metric weighs as much as
-/// @param jagged  as LogDensity has them: they take no part in a shear
+/// @param jagged  as LogDensity has them: they take no part in that map
 KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, double metric_worth = 0,
                     const std::vector<bool>& jagged = {});
 

@@ -14,7 +14,7 @@
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/optimizer.h"
-#include "tests/sampling/chain_runner.h"
+#include "engine/sampling/sample.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -65,14 +65,14 @@ struct Worth {
   double per_thousand, acceptance, evaluations_a_draw, rhat;
 };
 
-Worth worth(const LogDensity& target, const Kernel& kernel, const RunPlan& plan) {
+Worth worth(const LogDensity& target, const Kernel& kernel, const SampleSettings& plan) {
   const Eigen::Index d = target.dimension();
   const Position mode = maximize(target, {Eigen::VectorXd::Zero(d), {}}).position;
   const Metric laplace(laplace_covariance(target, mode));
   const auto start = [&](Rng& rng) {
-    return Eigen::VectorXd(mode.continuous + std::sqrt(2) * laplace.colour(rng.normals(d)));
+    return Position{mode.continuous + std::sqrt(2) * laplace.colour(rng.normals(d)), {}};
   };
-  const ChainsDrawn drawn = ChainRunner(target, kernel, plan, start, laplace).run();
+  const Sample drawn = sample(target, kernel, plan, start, laplace);
   double least = 1e300, rhat = 0;
   for (const Eigen::MatrixXd& x : drawn.coordinates) {
     least = std::min({least, bulk_ess(x), tail_ess(x)});

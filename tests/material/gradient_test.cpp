@@ -107,6 +107,7 @@ TEST_P(EveryMaterial, SameSeedGivesTheSameSurfaceAndAnotherSeedAnother) {
   };
   const at::Tensor once = slopes(3), again = slopes(3), other = slopes(4);
   EXPECT_TRUE(once.equal(again));
+  if (GetParam() == "translucent") return;  // homogeneous
   const at::Tensor a = once - once.mean(), b = other - other.mean();
   const double correlation = ((a * b).mean() / (a.square().mean() * b.square().mean()).sqrt()).item<double>();
   EXPECT_LT(std::abs(correlation), 0.2);

@@ -64,9 +64,9 @@ struct Outcome {
 };
 
 Outcome after_transitions(const Kernel& kernel, const LogDensity& target, int transitions,
-                          std::shared_ptr<const Shear> shear = nullptr) {
+                          std::shared_ptr<const Straightening> straightening = nullptr) {
   KernelSettings settings = settings_with(0.8, some_covariance(3));
-  settings.shear = std::move(shear);
+  settings.straightening = std::move(straightening);
   Rng rng(31);
   std::vector<Position> ends;
   Outcome outcome;
@@ -188,22 +188,25 @@ TEST(Invariance, the_mixture_keeps_exact_draws_exact) {
     }
 }
 
-/// Bends the first two coordinates of SkewedTarget along the third, where they are straight.
-std::shared_ptr<const Shear> some_shear() {
-  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(4, 3);
-  coefficients.col(0) << 0.3, -0.4, 0.8, -0.5;
-  coefficients.col(1) << 0.1, 0.5, -0.9, 0.4;
-  return std::make_shared<const Shear>(2, NaturalSplineBasis(Eigen::Vector4d(-1, 0, 1, 3)), coefficients);
+/// Bends the first two coordinates of SkewedTarget along the third, where they are straight, and widens them.
+std::shared_ptr<const Straightening> some_straightening() {
+  Straightening::Coefficients coefficients{Eigen::MatrixXd::Zero(4, 3), Eigen::MatrixXd::Zero(4, 3)};
+  coefficients.middle.col(0) << 0.3, -0.4, 0.8, -0.5;
+  coefficients.middle.col(1) << 0.1, 0.5, -0.9, 0.4;
+  coefficients.log_width.col(0) << 0.2, 0.3, -0.4, 0.1;
+  coefficients.log_width.col(1) << -0.2, -0.3, 0.2, 0.2;
+  return std::make_shared<const Straightening>(2, NaturalSplineBasis(Eigen::Vector4d(-1, 0, 1, 3)),
+                                               coefficients);
 }
 
-TEST(Invariance, holds_in_the_coordinates_of_any_shear) {
+TEST(Invariance, holds_in_straightened_coordinates) {
   const SkewedTarget target;
   for (const std::string& name : kernel_names()) {
     const auto kernel = make_kernel(name, target, 0.8, 0.3);
-    const Outcome outcome = after_transitions(*kernel, target, 3, some_shear());
+    const Outcome outcome = after_transitions(*kernel, target, 3, some_straightening());
     EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name;
     EXPECT_GT(outcome.moved, 0.15) << name;
-    EXPECT_NE(outcome.moved, after_transitions(*kernel, target, 3).moved) << "the shear was not used";
+    EXPECT_NE(outcome.moved, after_transitions(*kernel, target, 3).moved) << "the map was not used";
   }
 }
 
@@ -214,8 +217,8 @@ class StraightenedForGood final : public Kernel {
                       Rng& rng) const override {
     const TransitionInfo info = kernel_->step(target, settings, state, rng);
     if (info.accepted)
-      state =
-          state_at(target, {settings.shear->straighten(state.position.continuous), state.position.discrete});
+      state = state_at(
+          target, {settings.straightening->straighten(state.position.continuous), state.position.discrete});
     return info;
   }
   double target_acceptance() const override { return 0.65; }
@@ -225,7 +228,7 @@ class StraightenedForGood final : public Kernel {
 };
 
 TEST(Invariance, is_lost_when_coordinates_are_not_bent_back) {
-  EXPECT_GT(after_transitions(StraightenedForGood(), SkewedTarget(), 3, some_shear()).worst, 1);
+  EXPECT_GT(after_transitions(StraightenedForGood(), SkewedTarget(), 3, some_straightening()).worst, 1);
 }
 
 TEST(Invariance, is_lost_without_the_reverse_proposal) {

@@ -59,6 +59,15 @@ TEST(Metric, colours_by_a_factor_of_the_covariance_and_by_its_transpose) {
   EXPECT_LT((metric.colour(metric.colour_transposed(a)) - metric.multiply(a)).norm(), 1e-12);
 }
 
+TEST(Metric, gives_each_coordinate_the_room_that_the_others_leave_it) {
+  const Metric metric(some_covariance(5));
+  const Eigen::VectorXd room = metric.conditional_sds();
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    EXPECT_NEAR(room[i] * room[i], metric.conditional({i}).covariance()(0, 0), 1e-12);
+    EXPECT_LT(room[i] * room[i], metric.covariance()(i, i));
+  }
+}
+
 TEST(MetricKind, has_a_name_for_every_kind_and_refuses_others) {
   EXPECT_EQ(metric_names().size(), 4u);
   for (const std::string& name : metric_names()) EXPECT_NO_THROW(metric_kind(name));

@@ -14,7 +14,7 @@
 
 #include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
-#include "tests/sampling/chain_runner.h"
+#include "engine/sampling/sample.h"
 #include "tests/sampling/posteriordb/autoregression.h"
 #include "tests/sampling/posteriordb/eight_schools.h"
 #include "tests/sampling/posteriordb/gauss_mix.h"
@@ -85,7 +85,7 @@ TEST_F(Posteriordb, centred_and_non_centred_schools_are_one_density) {
 
 /// Chains from twice the posterior's spread, in a metric of scales that are about right, as a Laplace
 /// approximation would give it.
-ChainsDrawn draw(const Json& target, const Kernel& kernel, const RunPlan& plan) {
+Sample draw(const Json& target, const Kernel& kernel, const SampleSettings& plan) {
   const auto model = make_model(target);
   const Json& reference = target["reference"];
   const Eigen::VectorXd mean = vector_of(reference["unconstrained_mean"]);
@@ -93,9 +93,9 @@ ChainsDrawn draw(const Json& target, const Kernel& kernel, const RunPlan& plan) 
   for (Eigen::Index i = 0; i < mean.size(); ++i) scales(i, i) = reference["unconstrained_cov"][i][i];
   const Metric metric(scales);
   const auto start = [&](Rng& rng) {
-    return Eigen::VectorXd(mean + 2 * metric.colour(rng.normals(mean.size())));
+    return Position{mean + 2 * metric.colour(rng.normals(mean.size())), {}};
   };
-  return ChainRunner(*model, kernel, plan, start, metric).run();
+  return sample(*model, kernel, plan, start, metric);
 }
 
 /// The chains' parameters instead of their unconstrained coordinates.
@@ -135,7 +135,7 @@ TEST_P(PosteriordbKernel, finds_every_mean_deviation_and_quantile_of_the_referen
     const Json& target = targets_[name];
     const auto model = make_model(target);
     const int draws = GetParam() == "mh" ? 30000 : GetParam() == "mala" ? 10000 : 3000;
-    const ChainsDrawn drawn = draw(target, *make_kernel(GetParam(), *model, 1), {.draws = draws});
+    const Sample drawn = draw(target, *make_kernel(GetParam(), *model, 1), {.draws = draws});
     const auto parameters = parameters_of(*model, drawn.coordinates);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       const Json& reference = target["reference"]["params"][i];
@@ -151,7 +151,7 @@ TEST_P(PosteriordbKernel, finds_every_mean_deviation_and_quantile_of_the_referen
 TEST_P(PosteriordbKernel, raises_an_alarm_in_a_funnel) {
   const Json& target = targets_["eight_schools_centered"];
   const auto model = make_model(target);
-  const ChainsDrawn drawn = draw(target, *make_kernel(GetParam(), *model, 1), {.draws = 2000});
+  const Sample drawn = draw(target, *make_kernel(GetParam(), *model, 1), {.draws = 2000});
   double rhat = 0, fraction = 2;
   for (const Eigen::MatrixXd& x : parameters_of(*model, drawn.coordinates))
     rhat = std::max(rhat, split_rhat(x));

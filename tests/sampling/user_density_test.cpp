@@ -1,93 +1,51 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
-#include "engine/sampling/warmup.h"
+#include "engine/sampling/sample.h"
 
 // What a user writes to sample a density of their own, from end to end; it knows nothing of materials.
 
 namespace patina {
 namespace {
 
-/// Logistic growth of a population seen at eleven times with 10 % error: rate and capacity, both positive,
-/// sampled as their logs x, with prior x ~ N((0, log 100), 1) in which the Jacobian of the logs is included.
-class Growth final : public LogDensity {
- public:
+// What stands between the next two marks is shown in the README, to the letter.
+// [readme]
+/// Logistic growth of a population, seen at eleven times to 10 %: x = (log rate, log capacity), with prior
+/// x ~ N((0, log 100), I).
+struct Growth final : LogDensity {
+  const std::vector<double> log_seen{0.62, 1.49, 2.23, 3.03, 3.59, 4.10, 4.25, 4.49, 4.44, 4.66, 4.58};
+
   Eigen::Index dimension() const override { return 2; }
 
   Evaluation evaluate(const Position& position) const override {
-    const double rate = std::exp(position.continuous[0]), capacity = std::exp(position.continuous[1]);
-    const Eigen::Vector2d offset = position.continuous - Eigen::Vector2d(0, std::log(100.0));
+    const Eigen::Vector2d x = position.continuous, offset = x - Eigen::Vector2d(0, std::log(100));
+    const double rate = std::exp(x[0]), capacity = std::exp(x[1]);
     Evaluation result{-0.5 * offset.squaredNorm(), -offset};
-    for (int t = 0; t <= 10; ++t) {
+    for (std::size_t t = 0; t < log_seen.size(); ++t) {
       // log population = log capacity - log(1 + (capacity / 2 - 1) e^(-rate t)), from 2 at t = 0
       const double decay = std::exp(-rate * t), rest = 1 + (capacity / 2 - 1) * decay;
-      const double misfit = (kLogSeen[t] - (position.continuous[1] - std::log(rest))) / 0.1;
+      const double misfit = (log_seen[t] - x[1] + std::log(rest)) / 0.1;
       result.log_density -= 0.5 * misfit * misfit;
       result.gradient[0] += misfit / 0.1 * (capacity / 2 - 1) * decay * rate * t / rest;
       result.gradient[1] += misfit / 0.1 * (1 - capacity / 2 * decay / rest);
     }
     return result;
   }
-
- private:
-  static constexpr double kLogSeen[11] = {0.62, 1.49, 2.23, 3.03, 3.59, 4.10, 4.25, 4.49, 4.44, 4.66, 4.58};
 };
 
-struct Chain {
-  ChainState state;
-  ChainWarmup warmup;
-  Rng rng;
-};
-
-std::vector<Chain> start_chains(const LogDensity& target, const Kernel& kernel, int count) {
-  std::vector<Chain> chains;
-  const auto metric = std::make_shared<const Metric>(Metric::identity(target.dimension()));
-  for (int k = 0; k < count; ++k) {
-    Rng rng(/*seed=*/1, /*stream=*/k);
-    const Position start{Eigen::Vector2d(0, std::log(100.0)) + rng.normals(2), {}};
-    chains.push_back({{start, target.evaluate(start)}, {{0.1, metric}, kernel.target_acceptance()}, rng});
-  }
-  return chains;
+/// @return draws x chains of the log rate and of the log capacity, for split_rhat(), bulk_ess() and the rest
+std::vector<Eigen::MatrixXd> draw_growth() {
+  const Growth target;
+  return sample(target, *make_kernel("nuts", target, 1), {.draws = 1500}).coordinates;
 }
-
-/// @return the settings to sample with, the same for all chains
-KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, int iterations,
-                       std::vector<Chain>& chains) {
-  KernelSettings frozen;
-  for (const WarmupWindow& window : warmup_schedule(iterations)) {
-    std::vector<WindowResult> seen;
-    for (Chain& chain : chains) {
-      for (int t = window.begin; t < window.end; ++t)
-        chain.warmup.observe(chain.state,
-                             kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
-      seen.push_back(chain.warmup.take_window());
-    }
-    const KernelSettings pooled = pool(seen, MetricKind::dense);
-    if (window.adapts_metric)
-      for (Chain& chain : chains) chain.warmup.restart(pooled);
-    frozen = {pooled.step_size, chains.front().warmup.settings().metric};
-  }
-  return frozen;
-}
-
-/// @return one matrix per coordinate, draws x chains
-std::vector<Eigen::MatrixXd> sample(const LogDensity& target, const Kernel& kernel,
-                                    const KernelSettings& frozen, int draws, std::vector<Chain>& chains) {
-  std::vector<Eigen::MatrixXd> coordinates(target.dimension(), Eigen::MatrixXd(draws, chains.size()));
-  for (std::size_t k = 0; k < chains.size(); ++k) {
-    for (int t = 0; t < draws; ++t) {
-      kernel.step(target, frozen, chains[k].state, chains[k].rng);
-      for (Eigen::Index i = 0; i < target.dimension(); ++i)
-        coordinates[i](t, k) = chains[k].state.position.continuous[i];
-    }
-  }
-  return coordinates;
-}
+// [/readme]
 
 /// The posterior's mean by quadrature on a grid: a second route that needs neither gradient nor chain.
 Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
@@ -105,10 +63,7 @@ Eigen::Vector2d mean_by_quadrature(const LogDensity& target) {
 
 TEST(UserDensity, is_sampled_from_end_to_end_and_agrees_with_quadrature) {
   const Growth target;
-  const auto kernel = make_kernel("mala", target, 1);
-  std::vector<Chain> chains = start_chains(target, *kernel, 4);
-  const KernelSettings frozen = warm_up(target, *kernel, 500, chains);
-  const std::vector<Eigen::MatrixXd> draws = sample(target, *kernel, frozen, 1500, chains);
+  const std::vector<Eigen::MatrixXd> draws = draw_growth();
   const Eigen::Vector2d expected = mean_by_quadrature(target);
   for (Eigen::Index i = 0; i < 2; ++i) {
     EXPECT_LT(split_rhat(draws[i]), 1.01);
@@ -128,6 +83,25 @@ TEST(UserDensity, gradient_is_that_of_its_value) {
         (target.evaluate({x + step, {}}).log_density - target.evaluate({x - step, {}}).log_density) / 2e-5;
     EXPECT_NEAR(at_x.gradient[i], slope, 1e-5 * (1 + std::abs(slope)));
   }
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(UserDensity, is_the_one_in_the_readme_and_takes_about_thirty_lines) {
+  const std::vector<std::string> source = lines_of(__FILE__),
+                                 readme = lines_of(PATINA_SOURCE_DIR "/README.md");
+  const auto begin = std::ranges::find(source, "// [readme]") + 1,
+             end = std::ranges::find(source, "// [/readme]");
+  ASSERT_LT(begin, end);
+  EXPECT_LE(end - begin, 35);
+  std::vector<std::string> shown;  // a code block of Markdown is indented by four spaces
+  for (auto line = begin; line != end; ++line) shown.push_back(line->empty() ? "" : "    " + *line);
+  EXPECT_NE(std::ranges::search(readme, shown).begin(), readme.end());
 }
 
 }  // namespace

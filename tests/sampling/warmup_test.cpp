@@ -12,7 +12,7 @@
 
 #include "engine/diagnostics/convergence.h"
 #include "engine/sampling/kernels.h"
-#include "tests/sampling/chain_runner.h"
+#include "engine/sampling/sample.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
@@ -121,12 +121,13 @@ TEST(Warmup, leaves_every_chain_near_the_acceptance_that_its_kernel_asks_for) {
   // With the default mixture a bit more than half of the transitions teach the step size anything.
   const FunctionTarget target = gaussian_with_levels();
   const Metric truth(some_covariance(13));
-  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(13))); };
+  const auto start = [&](Rng& rng) {
+    return Position{1.4 * truth.colour(rng.normals(13)), Eigen::VectorXi::Zero(2)};
+  };
   for (const std::string& name : kernel_names())
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
       const auto kernel = make_kernel(name, target, 0.8, 0.3);
-      const ChainsDrawn drawn =
-          ChainRunner(target, *kernel, {.seed = seed}, start, Metric::identity(13)).run();
+      const Sample drawn = sample(target, *kernel, {.seed = seed}, start, Metric::identity(13));
       const double wanted = kernel->target_acceptance();
       for (const double acceptance : drawn.acceptance)
         EXPECT_NEAR(acceptance, wanted, name == "nuts" || name == "hmc" ? 0.08 : 0.13) << name;
@@ -204,11 +205,11 @@ TEST(Warmup, that_is_short_gains_from_a_metric_that_is_about_right) {
   const Metric truth(some_covariance(23));
   const GaussianTarget target(Eigen::VectorXd::Zero(23), truth.covariance());
   const Metric about_right(1.3 * truth.covariance() + 0.02 * Eigen::MatrixXd::Identity(23, 23));
-  const auto start = [&](Rng& rng) { return Eigen::VectorXd(1.4 * truth.colour(rng.normals(23))); };
+  const auto start = [&](Rng& rng) { return Position{1.4 * truth.colour(rng.normals(23)), {}}; };
   const auto least_ess = [&](double worth) {
-    const RunPlan plan{.warmup = 200, .draws = 3000, .metric_worth = worth};
+    const SampleSettings settings{.warmup = 200, .draws = 3000, .metric_worth = worth};
     double least = 1e300;
-    for (const auto& x : ChainRunner(target, *make_mala(), plan, start, about_right).run().coordinates)
+    for (const auto& x : sample(target, *make_mala(), settings, start, about_right).coordinates)
       least = std::min(least, mean_ess(x));
     return least;
   };

@@ -1,0 +1,68 @@
+#include "engine/run/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace patina {
+namespace {
+
+constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
+
+/// At most 1 when the quantity is good: the R-hat's excess or the lack of effective draws, whichever is
+/// worse.
+double badness(const QuantitySummary& q) {
+  return std::max((q.rhat - 1) / (kGoodRhat - 1), kGoodEss / std::min(q.bulk_ess, q.tail_ess));
+}
+
+/// A quantity that never changed has no R-hat: it is no evidence either way.
+bool judged(const QuantitySummary& q) {
+  return std::isfinite(q.rhat) && !(q.sd_over_prior_sd > kNotIdentified);
+}
+
+std::string figure(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// The chain whose mean is furthest from that of all, in words; empty where there is but one chain.
+std::string chain_apart(const QuantitySummary& q) {
+  if (q.chain_means.size() < 2) return "";
+  const auto furthest = std::ranges::max_element(
+      q.chain_means, {}, [&](const ChainMean& chain) { return std::abs(chain.mean - q.mean); });
+  return "; chain " + std::to_string(furthest->chain + 1) + " is furthest apart, about " +
+         figure("%.3g", furthest->mean) + " where all together are about " + figure("%.3g", q.mean);
+}
+
+std::string worst_direction(const RunSummary& summary) {
+  const auto worst = std::ranges::max_element(summary.directions, {}, &DirectionSummary::rhat);
+  if (worst == summary.directions.end() || !(worst->rhat > kGoodRhat)) return "";
+  return "; of the directions in which the draws spread most the chains disagree most along " + worst->name +
+         " (R-hat " + figure("%.3f", worst->rhat) + ")";
+}
+
+}  // namespace
+
+const QuantitySummary* furthest_from_good(const RunSummary& summary) {
+  const QuantitySummary* worst = nullptr;
+  for (const QuantitySummary& q : summary.quantities)
+    if (judged(q) && (worst == nullptr || badness(q) > badness(*worst))) worst = &q;
+  return worst;
+}
+
+std::string verdict(const RunSummary& summary) {
+  const QuantitySummary* worst = furthest_from_good(summary);
+  if (worst == nullptr) return "There are too few draws to say whether the chains agree.";
+  const std::string evidence =
+      worst->name + ", the furthest from it, has R-hat " + figure("%.3f", worst->rhat) + " and " +
+      figure("%.0f", std::min(worst->bulk_ess, worst->tail_ess)) + " effective draws";
+  const std::string goal =
+      "R-hat " + figure("%.2f", kGoodRhat) + " and " + figure("%.0f", kGoodEss) + " effective draws";
+  if (badness(*worst) <= 1)
+    return "The chains agree: every identified parameter has reached " + goal + " (" + evidence + ").";
+  return "The chains do not agree yet to " + goal + ": " + evidence + chain_apart(*worst) +
+         worst_direction(summary) + ". More draws help.";
+}
+
+}  // namespace patina

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "engine/run/summarize.h"
+
+namespace patina {
+
+/// What a run must reach before its intervals are quoted: Vehtari et al. 2021, section 4.
+constexpr double kGoodRhat = 1.01;
+constexpr double kGoodEss = 400;
+
+/// Whether every identified parameter has reached kGoodRhat and kGoodEss in bulk and tail, in one sentence;
+/// if not, which one is furthest from it, which chain stands apart, and along which direction the chains
+/// disagree most. Parameters that the photo does not pin down and chains that never moved are left out.
+std::string verdict(const RunSummary& summary);
+
+/// The quantity that is furthest from good, null if there is none to judge.
+const QuantitySummary* furthest_from_good(const RunSummary& summary);
+
+}  // namespace patina

@@ -1,0 +1,114 @@
+#include "engine/sampling/sample.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/parallel_for.h"
+
+namespace patina {
+namespace {
+
+struct OneChain {
+  ChainState state;
+  Rng rng;
+  ChainWarmup warmup;
+};
+
+OneChain begin(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings, int index,
+               const Start& start, const std::shared_ptr<const Metric>& metric) {
+  Rng rng(settings.seed, static_cast<std::uint64_t>(index) + 1);
+  Position position = start(rng);
+  Evaluation evaluation = evaluate_finite(target, position);
+  ChainState state{std::move(position), std::move(evaluation)};
+  KernelSettings first{0.5, metric};
+  if (settings.warmup > 0 && kernel.target_acceptance() > 0)
+    first.step_size = initial_step_size(target, first, state, rng);
+  return {std::move(state), rng, ChainWarmup(first, kernel.target_acceptance())};
+}
+
+/// @return what all chains go on with
+KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
+                       std::vector<OneChain>& chains) {
+  KernelSettings frozen = chains.front().warmup.settings();
+  for (const WarmupWindow& window : warmup_schedule(settings.warmup)) {
+    std::vector<WindowResult> results(chains.size());
+    parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
+      OneChain& chain = chains[k];
+      for (int t = window.begin; t < window.end; ++t)
+        chain.warmup.observe(chain.state,
+                             kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
+      results[k] = chain.warmup.take_window();
+    });
+    const KernelSettings pooled = pool(results, settings.metric, settings.metric_worth, target.jagged());
+    if (window.adapts_metric)
+      for (OneChain& chain : chains) chain.warmup.restart(pooled);
+    const KernelSettings& now = chains.front().warmup.settings();
+    frozen = {pooled.step_size, now.metric, now.straightening};
+  }
+  return frozen;
+}
+
+/// What one chain counts, apart from the others'.
+struct Tally {
+  double accepted = 0;
+  long continuous = 0, evaluations = 0;
+  int divergences = 0;
+};
+
+Tally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k, OneChain& chain, Sample& sample) {
+  Tally tally;
+  for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
+    const TransitionInfo info = kernel.step(target, sample.frozen, chain.state, chain.rng);
+    if (info.move == MoveKind::continuous) tally.accepted += info.accept_probability, ++tally.continuous;
+    tally.divergences += info.divergent;
+    tally.evaluations += info.evaluations;
+    sample.energy(t, k) = info.energy;
+    sample.log_density(t, k) = chain.state.evaluation.log_density;
+    for (std::size_t i = 0; i < sample.coordinates.size(); ++i)
+      sample.coordinates[i](t, k) = chain.state.position.continuous[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < sample.levels.size(); ++i)
+      sample.levels[i](t, k) = chain.state.position.discrete[static_cast<Eigen::Index>(i)];
+  }
+  return tally;
+}
+
+}  // namespace
+
+Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
+              const Start& start, const Metric& metric) {
+  const auto shared_metric = std::make_shared<const Metric>(metric);
+  std::vector<OneChain> chains;
+  for (int k = 0; k < settings.chains; ++k)
+    chains.push_back(begin(target, kernel, settings, k, start, shared_metric));
+  Sample sample;
+  sample.frozen = warm_up(target, kernel, settings, chains);
+  sample.energy.resize(settings.draws, settings.chains);
+  sample.log_density = sample.energy;
+  sample.coordinates.assign(static_cast<std::size_t>(target.dimension()), sample.energy);
+  sample.levels.assign(target.discrete_levels().size(), sample.energy);
+  std::vector<Tally> tallies(chains.size());
+  parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
+    tallies[k] = draw(target, kernel, static_cast<Eigen::Index>(k), chains[k], sample);
+  });
+  for (const Tally& tally : tallies) {
+    sample.acceptance.push_back(tally.accepted / static_cast<double>(std::max(tally.continuous, 1L)));
+    sample.divergences += tally.divergences;
+    sample.evaluations += tally.evaluations;
+  }
+  return sample;
+}
+
+Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings) {
+  const std::vector<int> levels = target.discrete_levels();
+  const auto start = [&](Rng& rng) {
+    Position position{rng.normals(target.dimension()), Eigen::VectorXi(std::ssize(levels))};
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      position.discrete[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
+    return position;
+  };
+  return sample(target, kernel, settings, start, Metric::identity(target.dimension()));
+}
+
+}  // namespace patina
