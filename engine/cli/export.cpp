@@ -5,6 +5,7 @@
 #include "engine/cli/command.h"
 #include "engine/cli/draw_choice.h"
 #include "engine/cli/draws_csv.h"
+#include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/params_json.h"
 #include "engine/run/export_draw.h"
@@ -18,9 +19,12 @@ struct Options {
   std::filesystem::path directory, out;
   std::string draw = "map", format;
   int resolution = 1024;
+  bool tile = false;
 };
 
 int export_run(const Options& options) {
+  if (options.tile && options.format != "maps")
+    throw UserError("--tile is about maps: give it with --format maps.");
   const auto run = open_run(options.directory);
   const std::vector<Draw> draws = run->take_draws();
   if (options.format == "csv") {
@@ -34,8 +38,9 @@ int export_run(const Options& options) {
   }
   use_tensor_threads(hardware_threads());
   const RunSettings& settings = run->settings();
-  export_draw({settings.material, settings.z_seed, settings.capture, values, options.resolution},
-              options.out);
+  export_draw(
+      {settings.material, settings.z_seed, settings.capture, values, options.resolution, options.tile},
+      options.out);
   return kDone;
 }
 
@@ -59,6 +64,9 @@ void add_export(CLI::App& app, Command& chosen) {
       ->required();
   command.add_option("--resolution", options->resolution, "Pixels a side of maps, 16 to 4096")
       ->capture_default_str();
+  command.add_flag(
+      "--tile", options->tile,
+      "Maps that repeat without a seam; they may show more than the sample: maps.json has their size");
   command.add_option("--out", options->out, "File to write; for maps a folder")
       ->type_name("PATH")
       ->required();

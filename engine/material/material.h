@@ -10,6 +10,7 @@
 #include "engine/material/irregularities.h"
 #include "engine/material/parameter.h"
 #include "engine/material/surface.h"
+#include "engine/material/tile.h"
 
 namespace patina {
 
@@ -31,6 +32,9 @@ class Material {
   virtual ~Material() = default;
 
   virtual const ParameterTable& table() const = 0;
+
+  /// What of its surface repeats. Tiling::map: it has the parameters that whole_period() needs.
+  virtual Tiling tiling() const = 0;
 
   /// @param parameters  [table().continuous.size()] float32, in parameter units; gradients flow through it
   /// @param discrete    a level for each of table().discrete

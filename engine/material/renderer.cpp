@@ -41,45 +41,69 @@ LobeMaps to_maps(const Lobe& lobe, int n) {
 }  // namespace
 
 struct Renderer::Parts {
+  std::string name;
   std::shared_ptr<const Material> material;
   Irregularities z;
   Capture capture;
 
-  Surface surface(const ParameterValues& values, int resolution) const {
+  Surface surface(const ParameterValues& values, const Capture& seen, int resolution) const {
     if (resolution < 16 || resolution > 4096)
       throw UserError("Cannot render " + std::to_string(resolution) +
                       " pixels a side: choose a resolution from 16 to 4096.");
     assert(values.continuous.size() == material->table().continuous.size());
     assert(values.discrete.size() == material->table().discrete.size());
-    return material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture,
-                             resolution);
+    return material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, seen, resolution);
+  }
+
+  MaterialMaps maps(const ParameterValues& values, const Capture& seen, int resolution) const {
+    const at::NoGradGuard no_grad;
+    const Surface surface = this->surface(values, seen, resolution);
+    MaterialMaps maps;
+    maps.base_color = to_image(surface.base_color, resolution);
+    maps.height = to_image(surface.height.unsqueeze(0), resolution);
+    maps.normal = to_image(surface.normal, resolution);
+    for (const Lobe& lobe : surface.lobes) maps.lobes.push_back(to_maps(lobe, resolution));
+    maps.light = surface.light.item<float>();
+    maps.vignette_sigma = surface.vignette_sigma.item<float>();
+    maps.capture = seen;
+    return maps;
   }
 };
 
 Renderer::Renderer(const std::string& material, std::uint64_t z_seed, Capture capture)
-    : parts_(new Parts{make_material(material), Irregularities(z_seed), capture}) {}
+    : parts_(new Parts{material, make_material(material), Irregularities(z_seed), capture}) {}
 
 Renderer::~Renderer() = default;
 
 const ParameterTable& Renderer::table() const { return parts_->material->table(); }
 
 MaterialMaps Renderer::maps(const ParameterValues& values, int resolution) const {
-  const at::NoGradGuard no_grad;
-  const Surface surface = parts_->surface(values, resolution);
-  MaterialMaps maps;
-  maps.base_color = to_image(surface.base_color, resolution);
-  maps.height = to_image(surface.height.unsqueeze(0), resolution);
-  maps.normal = to_image(surface.normal, resolution);
-  for (const Lobe& lobe : surface.lobes) maps.lobes.push_back(to_maps(lobe, resolution));
-  maps.light = surface.light.item<float>();
-  maps.vignette_sigma = surface.vignette_sigma.item<float>();
-  maps.capture = parts_->capture;
-  return maps;
+  return parts_->maps(values, parts_->capture, resolution);
+}
+
+MaterialMaps Renderer::tile(const ParameterValues& values, int resolution) const {
+  switch (parts_->material->tiling()) {
+    case Tiling::sample:
+      return maps(values, resolution);
+    case Tiling::map: {
+      const WholePeriod period = whole_period(table(), values, parts_->capture);
+      return parts_->maps(period.values, period.capture, resolution);
+    }
+    case Tiling::book_matched:
+      if (resolution % 2 != 0 || resolution < 32 || resolution > 4096)
+        throw UserError("A tile of " + parts_->name +
+                        " is made of mirror images: choose an even resolution from 32 to 4096.");
+      return book_matched(maps(values, resolution / 2));
+    case Tiling::none:
+      break;
+  }
+  throw UserError("There is no tile of " + parts_->name +
+                  ", which glows around one point of light: export it without tiling.");
 }
 
 Image Renderer::render(const ParameterValues& values, int resolution, DisplayCurve curve) const {
   const at::NoGradGuard no_grad;
-  const Surface surface = parts_->surface(values, resolution);
+  const Surface surface = parts_->surface(values, parts_->capture, resolution);
   return to_image(display(shade(surface, parts_->capture, resolution), curve), resolution);
 }
 

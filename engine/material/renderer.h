@@ -25,6 +25,12 @@ class Renderer {
   /// @param resolution  pixels a side, 16 to 4096; UserError for any other
   MaterialMaps maps(const ParameterValues& values, int resolution) const;
 
+  /// Maps that continue on the opposite side of each border, so that copies of them side by side show no
+  /// seam. They may show more than the sample: their capture says how many centimetres.
+  /// @param resolution  as in maps(); even, and 32 at least, of a material that is book-matched (tile.h)
+  /// @throws UserError for any other, and for a material of which nothing can repeat
+  MaterialMaps tile(const ParameterValues& values, int resolution) const;
+
   /// The maps under the capture light: 3 channels, display values in [0,1].
   Image render(const ParameterValues& values, int resolution, DisplayCurve curve = DisplayCurve::srgb) const;
 

@@ -12,6 +12,7 @@ class Translucent final : public Material {
   static Signature signature();
   explicit Translucent(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
+  Tiling tiling() const override { return Tiling::none; }
   /// base_color is apparent: what a diffuse surface would need to send as much light to the camera, had the
   /// flash lit all of it. It has no bound.
   Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,

@@ -56,13 +56,15 @@ void write_images(const MaterialMaps& maps, const Heights& heights, const std::f
               transformed(maps.height, [&](float h) { return (h - heights.low) / range; }), PixelDepth::u16);
 }
 
-std::string sidecar(const ExportRequest& request, const Heights& heights) {
+std::string sidecar(const ExportRequest& request, const Capture& shown, const Heights& heights) {
   const nlohmann::ordered_json json = {
       {"program", program_version()},
       {"material", request.material},
       {"z_seed", request.z_seed},
       {"resolution", request.resolution},
-      {"size_cm", request.capture.size_cm},
+      {"size_cm", shown.size_cm},
+      {"tile", request.tile},
+      {"sample_size_cm", request.capture.size_cm},
       {"camera_cm", request.capture.camera_cm},
       {"height_cm", {{"black", heights.low}, {"white", heights.high}}},
       {"normal", "OpenGL: red to the right, green up, blue out of the surface"},
@@ -80,13 +82,14 @@ std::string sidecar(const ExportRequest& request, const Heights& heights) {
 void export_draw(const ExportRequest& request, const std::filesystem::path& folder) {
   check_resolution(request.resolution);
   const Renderer renderer(request.material, request.z_seed, request.capture);
+  const MaterialMaps maps = request.tile ? renderer.tile(request.values, request.resolution)
+                                         : renderer.maps(request.values, request.resolution);
   make_folder(folder);
-  const MaterialMaps maps = renderer.maps(request.values, request.resolution);
   const Heights heights = range_of(maps.height);
   write_images(maps, heights, folder);
   write_image(folder / "render.png", renderer.render(request.values, request.resolution));
   write_file_atomically(folder / "params.json", params_to_json(renderer.table(), request.values));
-  write_file_atomically(folder / "maps.json", sidecar(request, heights));
+  write_file_atomically(folder / "maps.json", sidecar(request, maps.capture, heights));
 }
 
 }  // namespace patina

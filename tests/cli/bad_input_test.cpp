@@ -101,6 +101,9 @@ TEST_F(BadInput, RunDirectories) {
   refused(exported("1:71", "json", path("x")), "1:71");
   refused(exported("map", "nosuch", path("x")), "--format");
   refused(exported("map", "maps", photo()), "folder");
+  std::vector<std::string> tile_of_numbers = exported("map", "json", path("x"));
+  tile_of_numbers.push_back("--tile");
+  refused(tile_of_numbers, "--tile");
   file("run/run.json", slurp(path("run/run.json")).substr(0, 300));
   refused({"summarize", path("run")}, "run.json");
 }

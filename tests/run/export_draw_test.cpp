@@ -85,6 +85,21 @@ TEST_F(ExportDrawTest, UpIsGreenAndRightIsRed) {
   EXPECT_GT(up, 0);
 }
 
+TEST_F(ExportDrawTest, ATileIsTheMapsThatRepeatAndTheSidecarSaysHowLargeTheyAre) {
+  request_.tile = true;
+  export_draw(request_, out());
+  const MaterialMaps tile = renderer_.tile(request_.values, 64);
+  const Image rough = read("roughness.png");
+  for (int row = 0; row < 64; ++row)
+    for (int column = 0; column < 64; ++column)
+      ASSERT_NEAR(rough.at(row, column, 0), tile.lobes[0].roughness.at(row, column, 0), 2e-5);
+  const auto sidecar = nlohmann::json::parse(slurp(out() / "maps.json"));
+  const double scale = request_.values.continuous[*renderer_.table().find_continuous("scale")];
+  EXPECT_NEAR(sidecar["size_cm"], 10 / scale, 1e-9);
+  EXPECT_EQ(sidecar["sample_size_cm"], 10.0);
+  EXPECT_EQ(sidecar["tile"], true);
+}
+
 TEST_F(ExportDrawTest, RefusesWhatCannotBe) {
   ExportRequest bad = request_;
   bad.resolution = 0;
@@ -94,6 +109,10 @@ TEST_F(ExportDrawTest, RefusesWhatCannotBe) {
   bad = request_;
   bad.material = "nosuch";
   EXPECT_NE(user_error([&] { export_draw(bad, out()); }).find("nosuch"), std::string::npos);
+  bad.material = "translucent";
+  bad.values = prior_location(Renderer("translucent", 1, {}).table());
+  bad.tile = true;
+  EXPECT_NE(user_error([&] { export_draw(bad, out()); }).find("tile of translucent"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(out()));
   EXPECT_NE(user_error([&] { export_draw(request_, file("a_file", "x")); }), "");
 }
