@@ -69,7 +69,7 @@ class ResumeTest : public FolderTest {
                          std::chrono::milliseconds(1)};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(kChains); });
     WarmupMeeting meeting(
-        kChains, MetricKind::dense, 20,
+        kChains, MetricKind::curved, 20, {},
         [&](const WarmupRecord& record) { write_warmup(directory, "key", record); },
         read_warmup(directory, "key", target));
     std::deque<Chain> chains;
