@@ -17,7 +17,7 @@ namespace patina {
 struct PosteriorSettings {
   std::string material = "bump";
   Capture capture;
-  int resolution = 256;  ///< pixels a side at which renders are compared
+  int resolution = 192;  ///< pixels a side at which renders are compared
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run

@@ -14,7 +14,7 @@ namespace patina {
 struct RunSettings {
   std::string material = "bump";
   Capture capture;
-  int resolution = 256;  ///< pixels a side at which renders are compared with the photo
+  int resolution = 192;  ///< pixels a side at which renders are compared with the photo
   /// Empty: the material's own; run.json holds the name in use.
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
@@ -22,8 +22,8 @@ struct RunSettings {
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  int warmup = 700;
-  int draws = 2000;        ///< per chain, after warm-up
+  int warmup = 1500;
+  int draws = 2500;        ///< per chain, after warm-up
   double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.75;   ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;  ///< of the search and the chains
