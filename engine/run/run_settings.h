@@ -23,7 +23,7 @@ struct RunSettings {
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   int warmup = 1500;
-  int draws = 2500;        ///< per chain, after warm-up
+  int draws = 4000;        ///< per chain, after warm-up
   double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.75;   ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   std::uint64_t seed = 1;  ///< of the search and the chains
