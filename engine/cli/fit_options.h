@@ -32,11 +32,14 @@ class FitOptions {
   void add(CLI::App& command, const std::string& names, T RunSettings::*setting, const std::string& help,
            const std::string& type = {});
   void add_counts(CLI::App& command);
+  void add_stop_rules(CLI::App& command);
+  void set_start(RunSettings& settings) const;
   void add_sampler(CLI::App& command);
   void add_model(CLI::App& command);
 
   RunSettings parsed_;
   CaptureArguments capture_;
+  std::string start_;
   std::vector<std::string> fixed_, priors_;
   std::vector<std::function<void(RunSettings&)>> given_;  ///< each copies one setting if it was given
 };
