@@ -51,9 +51,15 @@ std::pair<std::string, TruncatedNormal> parse_prior(const std::string& text) {
 }
 
 void CaptureArguments::add_to(CLI::App& command) {
-  command.add_option("--size-cm", size_cm, "Side of the photographed square in cm")->capture_default_str();
-  command.add_option("--camera-cm", camera_cm,
-                     "Distance of camera and flash in cm (default: the one of a 46 degree field of view)");
+  options_ = {command.add_option("--size-cm", size_cm, "Side of the photographed square in cm")
+                  ->capture_default_str(),
+              command.add_option(
+                  "--camera-cm", camera_cm,
+                  "Distance of camera and flash in cm (default: the one of a 46 degree field of view)")};
+}
+
+bool CaptureArguments::given() const {
+  return std::ranges::any_of(options_, [](const CLI::Option* option) { return option->count() > 0; });
 }
 
 Capture CaptureArguments::capture() const {

@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace patina {
 
@@ -29,7 +30,11 @@ struct CaptureArguments {
   double camera_cm = 0;  ///< 0: not given
 
   void add_to(CLI::App& command);
+  bool given() const;       ///< either of them
   Capture capture() const;  ///< @throws UserError for a length that cannot be
+
+ private:
+  std::vector<CLI::Option*> options_;
 };
 
 /// --material. @throws UserError if it is empty or "auto", which is not there yet; says what there is

@@ -104,7 +104,8 @@ void Chain::run() noexcept {
 
 void Chain::begin() {
   const Stopwatch stopwatch(at_.warmup_seconds);
-  at_.state = overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng_);
+  at_.state = plan_.start ? start_at(plan_.target, plan_.start, rng_)
+                          : overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng_);
   KernelSettings& settings = at_.frozen;
   settings.metric = std::make_shared<const Metric>(
       restricted(plan_.laplace->covariance(), metric_kind(plan_.settings.metric)));
@@ -180,6 +181,7 @@ void Chain::record(double step_size, const TransitionInfo& info, bool warmup) {
   draw.iteration = at_.iteration;
   draw.warmup = warmup;
   draw.lp = at_.state.evaluation.log_density;
+  draw.energy = info.energy;
   draw.accept_stat = info.accept_probability;
   draw.step_size = step_size;
   draw.divergent = info.divergent;

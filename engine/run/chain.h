@@ -32,6 +32,8 @@ struct ChainPlan {
   std::filesystem::path directory;
   std::string run_key = "-";  ///< of the run's state files
   std::chrono::milliseconds checkpoint_interval{2000};
+  /// Where a chain starts; empty: see overdispersed_start().
+  std::function<Position(Rng&)> start = {};
 };
 
 /// One chain, on a thread of its own: start, warm-up, sampling. Every transition becomes a row of the chain's

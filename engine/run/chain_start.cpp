@@ -4,6 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/error.h"
+#include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/optimizer.h"
 
 namespace patina {
@@ -56,6 +58,26 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
     if (climbed.evaluation.log_density >= climb.good_enough) return {climbed.position, climbed.evaluation};
   }
   return mode;
+}
+
+std::vector<std::string> start_names() { return {"map", "prior", "prior-mean", "values"}; }
+
+Position prior_draw(const LogDensity& target, Rng& rng) {
+  Position drawn;
+  drawn.continuous = rng.normals(target.dimension());
+  drawn.discrete = uniform_levels(target.discrete_levels(), rng);
+  return drawn;
+}
+
+ChainState start_at(const LogDensity& target, const std::function<Position(Rng&)>& propose, Rng& rng) {
+  for (int i = 0; i < kStartTries; ++i) {
+    const Position position = propose(rng);
+    const Evaluation evaluation = evaluate_finite(target, position);
+    if (std::isfinite(evaluation.log_density)) return {position, evaluation};
+  }
+  throw UserError(
+      "A chain cannot start where it was told to, for nothing there can be compared with the photo: "
+      "choose another start.");
 }
 
 }  // namespace patina

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "engine/sampling/chain_state.h"
 #include "engine/sampling/metric.h"
 #include "engine/sampling/rng.h"
@@ -19,5 +23,15 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
                                Rng& rng);
 
 constexpr int kStartTries = 8;
+
+/// The settings for RunSettings::start: "map", "prior", "prior-mean", "values".
+std::vector<std::string> start_names();
+
+/// A draw of the prior N(0, I), levels uniform.
+Position prior_draw(const LogDensity& target, Rng& rng);
+
+/// The first place of finite density among kStartTries that `propose` names.
+/// @throws UserError if there is none
+ChainState start_at(const LogDensity& target, const std::function<Position(Rng&)>& propose, Rng& rng);
 
 }  // namespace patina

@@ -7,6 +7,7 @@
 
 #include "engine/run/run_settings.h"
 #include "engine/run/run_status.h"
+#include "engine/run/stop_rules.h"
 
 namespace patina {
 
@@ -40,6 +41,7 @@ struct Manifest {
   std::string reason;                   ///< one sentence, once it ended
   std::optional<MapPoint> map;
   RunTimes seconds;
+  std::optional<StopEvidence> evidence;  ///< of the last judgement, where stop rules ask for quality
 };
 
 constexpr int kRunFormat = 1;  ///< grows whenever an older program would misread the directory

@@ -95,6 +95,15 @@ ParameterTable table(const Json& json) {
   return table;
 }
 
+std::map<std::string, double> named_numbers(const Json& json, const char* key) {
+  std::map<std::string, double> result;
+  for (const auto& [name, value] : field(json, key).items()) {
+    if (!value.is_number()) throw BadField{"'" + std::string(key) + "' holds something that is not a number"};
+    result[name] = value.get<double>();
+  }
+  return result;
+}
+
 RunSettings settings(const Json& json) {
   RunSettings s;
   s.resolution = integer(json, "resolution", 1);
@@ -113,12 +122,25 @@ RunSettings settings(const Json& json) {
   const Json& map_only = field(json, "map_only");
   if (!map_only.is_boolean()) throw BadField{"'map_only' is not true or false"};
   s.map_only = map_only.get<bool>();
-  for (const auto& [name, value] : field(json, "fixed").items()) {
-    if (!value.is_number()) throw BadField{"'fixed' holds something that is not a number"};
-    s.fixed[name] = value.get<double>();
-  }
+  s.fixed = named_numbers(json, "fixed");
   for (const auto& [name, value] : field(json, "priors").items()) s.priors[name] = prior(value);
+  if (json.contains("path_length")) s.path_length = number(json, "path_length");
+  if (json.contains("start")) s.start = text(json, "start");
+  if (json.contains("start_at")) s.start_at = named_numbers(json, "start_at");
+  if (json.contains("stop"))
+    s.stop = {number(json["stop"], "minutes"), number(json["stop"], "ess"), number(json["stop"], "rhat")};
   return s;
+}
+
+std::optional<StopEvidence> evidence(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  StopEvidence evidence;
+  evidence.draws = integer(json, "draws", 0);
+  evidence.least_ess = number(json, "least_ess");
+  evidence.least_ess_of = text(json, "least_ess_of");
+  evidence.largest_rhat = number(json, "largest_rhat");
+  evidence.largest_rhat_of = text(json, "largest_rhat_of");
+  return evidence;
 }
 
 std::optional<MapPoint> map_point(const Json& json, const ParameterTable& table) {
@@ -175,6 +197,7 @@ Manifest manifest(const Json& json) {
   m.reason = text(json, "reason");
   m.map = map_point(field(json, "map"), m.table);
   if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
+  if (json.contains("evidence")) m.evidence = evidence(json["evidence"]);
   return m;
 }
 

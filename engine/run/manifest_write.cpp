@@ -31,11 +31,15 @@ Json settings_json(const RunSettings& s) {
           {"draws", s.draws},
           {"alpha", s.alpha},
           {"refresh", s.refresh},
+          {"path_length", s.path_length},
+          {"start", s.start},
+          {"start_at", Json(s.start_at)},
           {"seed", s.seed},
           {"z_seed", s.z_seed},
           {"map_only", s.map_only},
           {"fixed", Json(s.fixed)},
-          {"priors", priors_json(s.priors)}};
+          {"priors", priors_json(s.priors)},
+          {"stop", {{"minutes", s.stop.minutes}, {"ess", s.stop.ess}, {"rhat", s.stop.rhat}}}};
 }
 
 Json map_json(const Manifest& manifest) {
@@ -47,6 +51,15 @@ Json map_json(const Manifest& manifest) {
   for (std::size_t i = 0; i < table.discrete.size(); ++i)
     values[table.discrete[i].name] = manifest.map->values.discrete[i];
   return {{"values", values}, {"lp", number(manifest.map->lp)}};
+}
+
+Json evidence_json(const std::optional<StopEvidence>& evidence) {
+  if (!evidence) return nullptr;
+  return {{"draws", evidence->draws},
+          {"least_ess", number(evidence->least_ess)},
+          {"least_ess_of", evidence->least_ess_of},
+          {"largest_rhat", number(evidence->largest_rhat)},
+          {"largest_rhat_of", evidence->largest_rhat_of}};
 }
 
 }  // namespace
@@ -69,7 +82,8 @@ std::string to_json(const Manifest& m) {
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
       {"map", map_json(m)},
       {"seconds",
-       {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}}};
+       {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
+      {"evidence", evidence_json(m.evidence)}};
   // A file name need not be UTF-8; the manifest must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

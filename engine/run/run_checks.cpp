@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/run/chain_start.h"
 #include "engine/run/run_files.h"
 #include "engine/sampling/kernels.h"
 
@@ -51,6 +52,13 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
     throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
   if (!(settings.refresh >= 0 && settings.refresh < 1))
     throw UserError("The share of refresh moves must be at least 0 and below 1.");
+  if (!(settings.stop.minutes >= 0 && settings.stop.ess >= 0))
+    throw UserError("The minutes and the effective draws to stop at must be at least 0.");
+  if (settings.stop.rhat != 0 && !(settings.stop.rhat > 1))
+    throw UserError("The R-hat to stop at must be above 1, for example 1.01.");
+  if (!(settings.path_length > 0 && settings.path_length <= 100))
+    throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
+  check_name("start", settings.start, start_names());
   check_name("kernel", settings.kernel, kernel_names());
   check_name("metric", settings.metric, metric_names());
   check_name("discrete proposal", settings.discrete, discrete_names());

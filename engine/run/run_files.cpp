@@ -31,7 +31,7 @@ ChainCsvRow to_row(const Draw& draw, const TransitionInfo& info) {
   row.treedepth = info.tree_depth;
   row.n_leapfrog = info.evaluations;
   row.divergent = draw.divergent;
-  row.energy = info.energy;
+  row.energy = draw.energy;
   row.values = draw.values.continuous;
   row.values.insert(row.values.end(), draw.values.discrete.begin(), draw.values.discrete.end());
   return row;
@@ -45,6 +45,7 @@ Draw to_draw(const ChainCsvReader::Row& row, const ParameterTable& table, int ch
   draw.iteration = iteration;
   draw.warmup = row.warmup;
   draw.lp = row.row.lp;
+  draw.energy = row.row.energy;
   draw.accept_stat = row.row.accept_stat;
   draw.step_size = row.row.stepsize;
   draw.divergent = row.row.divergent;

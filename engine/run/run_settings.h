@@ -10,11 +10,20 @@
 
 namespace patina {
 
+/// When a run ends before all its draws are made. They decide how many draws there are, never which.
+struct StopRules {
+  double minutes = 0;  ///< of one sitting, the search included; 0: no limit
+  double ess = 0;      ///< effective draws, bulk and tail, of every identified parameter; 0: not asked for
+  double rhat = 0;     ///< of every identified parameter, at most; 0: not asked for
+  bool ask_for_quality() const { return ess > 0 || rhat > 0; }
+  bool operator==(const StopRules&) const = default;
+};
+
 /// Everything that decides a run, beside the photo's pixels; run.json holds it.
 struct RunSettings {
   std::string material = "bump";
   Capture capture;
-  int resolution = 256;  ///< pixels a side at which renders are compared with the photo
+  int resolution = 192;  ///< pixels a side at which renders are compared with the photo
   /// Empty: the material's own; run.json holds the name in use.
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
@@ -22,13 +31,19 @@ struct RunSettings {
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  int warmup = 700;
-  int draws = 2000;        ///< per chain, after warm-up
-  double alpha = 0.8;      ///< probability of a continuous move, where there are discrete parameters
-  double refresh = 0.75;   ///< probability that a continuous move refreshes one parameter instead (kernels.h)
-  std::uint64_t seed = 1;  ///< of the search and the chains
-  std::uint64_t z_seed = 1;  ///< of the irregularities
-  bool map_only = false;     ///< stop after the search for the mode
+  int warmup = 1500;
+  int draws = 4000;       ///< per chain, after warm-up
+  double alpha = 0.8;     ///< probability of a continuous move, where there are discrete parameters
+  double refresh = 0.75;  ///< probability that a continuous move refreshes one parameter instead (kernels.h)
+  double path_length = 1.5;  ///< of hmc's trajectories, in standard deviations (kernels.h)
+  /// Where chains begin (chain_start.h): "map", spread about the best match; "prior", a draw of the prior for
+  /// each; "prior-mean", all at the priors' means; "values", all at start_at.
+  std::string start = "map";
+  std::map<std::string, double> start_at;  ///< parameter values by name; the others at the priors' means
+  std::uint64_t seed = 1;                  ///< of the search and the chains
+  std::uint64_t z_seed = 1;                ///< of the irregularities
+  bool map_only = false;                   ///< stop after the search for the mode
+  StopRules stop;
   std::map<std::string, double> fixed;
   std::map<std::string, TruncatedNormal> priors;
 };

@@ -13,9 +13,9 @@ using Json = nlohmann::json;
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
 Json identity(const Manifest& manifest) {
   Json json = Json::parse(to_json(manifest));
-  for (const char* progress : {"phase", "reason", "map", "seconds"}) json.erase(progress);
+  for (const char* progress : {"phase", "reason", "map", "seconds", "evidence"}) json.erase(progress);
   json["photo"].erase("warnings");
-  for (const char* free : {"draws", "map_only"}) json["settings"].erase(free);
+  for (const char* free : {"draws", "map_only", "stop"}) json["settings"].erase(free);
   json["settings"].erase("network");  // its checksum counts, not where it lies
   return json.flatten();
 }

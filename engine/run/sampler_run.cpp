@@ -7,8 +7,10 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
+#include "engine/io/params_json.h"
 #include "engine/material/registry.h"
 #include "engine/run/chain.h"
+#include "engine/run/chain_start.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/first_line.h"
 #include "engine/run/manifest_phase.h"
@@ -18,6 +20,7 @@
 #include "engine/run/run_state.h"
 #include "engine/run/same_run.h"
 #include "engine/run/state_file.h"
+#include "engine/run/stop_watcher.h"
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/run/version.h"
@@ -61,6 +64,19 @@ void check_free_parameters(const Posterior& posterior) {
     throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
 }
 
+/// The settings' start values over the priors' means. @throws UserError
+ParameterValues start_values(const ParameterTable& table, const RunSettings& settings) {
+  ParameterValues values = prior_location(table);
+  for (const auto& [name, value] : settings.start_at) set_parameter(table, name, value, values);
+  return values;
+}
+
+std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSettings& settings) {
+  if (settings.start == "map") return {};
+  if (settings.start == "prior") return [&](Rng& rng) { return prior_draw(posterior, rng); };
+  return [place = posterior.position(start_values(posterior.table(), settings))](Rng&) { return place; };
+}
+
 }  // namespace
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
@@ -74,6 +90,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
   table_ = posteriors_.front()->table();
+  start_values(table_, settings_);
   manifest_ = first_manifest(settings_, photo, table_);
   run_key_ = run_key(manifest_);
 
@@ -138,19 +155,24 @@ void SamplerRun::stop() { shared_.control.stop(); }
 void SamplerRun::write_manifest() { write_file_atomically(manifest_file(directory_), to_json(manifest_)); }
 
 void SamplerRun::coordinate() noexcept {
+  yield_to_the_window();
+  StopWatcher watcher(settings_, table_, directory_, shared_);
+  RunPhase phase = RunPhase::finished;
   try {
-    yield_to_the_window();
     run_to_the_end();
-    conclude(RunPhase::finished, "finished: " + outcome());
   } catch (const RunStopped&) {
-    const std::string failure = shared_.failure();
-    if (failure.empty())
-      conclude(RunPhase::stopped, "stopped: " + outcome());
-    else
-      conclude(RunPhase::failed, failure);
+    phase = RunPhase::stopped;
   } catch (const std::exception& error) {
-    conclude(RunPhase::failed, first_line(error.what()));
+    shared_.fail(error.what());
   }
+  const auto [rule, evidence] = watcher.end();
+  manifest_.evidence = evidence;
+  if (const std::string failure = shared_.failure(); !failure.empty())
+    conclude(RunPhase::failed, failure);
+  else if (phase == RunPhase::stopped && rule.empty())
+    conclude(phase, "stopped: " + outcome());
+  else
+    conclude(RunPhase::finished, (rule.empty() ? "finished: " : "finished, for " + rule + ": ") + outcome());
 }
 
 void SamplerRun::run_to_the_end() {
@@ -205,17 +227,18 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel =
-      make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh, settings_.discrete);
-  const ChainPlan plan{settings_,
-                       table_,
-                       target,
-                       *kernel,
-                       [&](const Position& position) { return posterior.values(position); },
-                       found.mode,
-                       found.laplace,
-                       directory_,
-                       run_key_};
+  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh,
+                                  settings_.discrete, settings_.path_length);
+  const ChainPlan plan{.settings = settings_,
+                       .table = table_,
+                       .target = target,
+                       .kernel = *kernel,
+                       .values = [&](const Position& position) { return posterior.values(position); },
+                       .mode = found.mode,
+                       .laplace = found.laplace,
+                       .directory = directory_,
+                       .run_key = run_key_,
+                       .start = start_of(posterior, settings_)};
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
@@ -273,7 +296,9 @@ void SamplerRun::conclude(RunPhase phase, const std::string& reason) {
 }
 
 std::string SamplerRun::outcome() const {
-  if (draws_made_ > 0) return std::to_string(draws_made_) + " draws";
+  if (draws_made_ > 0)
+    return std::to_string(draws_made_) + " draws" +
+           (manifest_.evidence ? "; " + in_words(settings_.stop, *manifest_.evidence) : "");
   if (!manifest_.map) return "no match was found yet";
   return settings_.map_only ? "the best match was found"
                             : "the best match was found, but there are no draws after warm-up";

@@ -126,19 +126,29 @@ std::vector<DirectionSummary> summarize_directions(const Chains& chains, const P
   return summaries;
 }
 
+/// The energies of the draws that trajectories made; where no kernel makes any, -lp of all draws.
+std::vector<double> energies_of(const std::vector<const Draw*>& draws) {
+  constexpr std::size_t kFewest = 4;
+  std::vector<double> of_trajectories, of_all;
+  for (const Draw* draw : draws) {
+    of_all.push_back(-draw->lp);
+    if (std::isfinite(draw->energy) && draw->energy != -draw->lp) of_trajectories.push_back(draw->energy);
+  }
+  return of_trajectories.size() < kFewest ? of_all : of_trajectories;
+}
+
 ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
   ChainSummary s;
   s.chain = chain;
   s.draws = static_cast<std::int64_t>(draws.size());
-  Eigen::VectorXd energy(static_cast<Eigen::Index>(draws.size()));
   double acceptance = 0;
-  for (std::size_t i = 0; i < draws.size(); ++i) {
-    energy[static_cast<Eigen::Index>(i)] = -draws[i]->lp;
-    acceptance += draws[i]->accept_stat;
-    s.divergences += draws[i]->divergent;
+  for (const Draw* draw : draws) {
+    acceptance += draw->accept_stat;
+    s.divergences += draw->divergent;
   }
   s.acceptance = acceptance / static_cast<double>(draws.size());
-  s.ebfmi = ebfmi(energy);
+  const std::vector<double> energy = energies_of(draws);
+  s.ebfmi = ebfmi(Eigen::Map<const Eigen::VectorXd>(energy.data(), std::ssize(energy)));
   return s;
 }
 

@@ -38,6 +38,7 @@ struct ChainSummary {
   std::int64_t draws = 0;
   double acceptance = 0;
   std::int64_t divergences = 0;
+  /// Of the energies of hmc's and nuts' trajectories, other moves left out; of -lp for the other kernels.
   double ebfmi = 0;
 };
 

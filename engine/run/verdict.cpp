@@ -15,11 +15,6 @@ double badness(const QuantitySummary& q) {
   return std::max((q.rhat - 1) / (kGoodRhat - 1), kGoodEss / std::min(q.bulk_ess, q.tail_ess));
 }
 
-/// A quantity that never changed has no R-hat: it is no evidence either way.
-bool judged(const QuantitySummary& q) {
-  return std::isfinite(q.rhat) && !(q.sd_over_prior_sd > kNotIdentified);
-}
-
 std::string figure(const char* format, double value) {
   char text[32];
   std::snprintf(text, sizeof text, format, value);
@@ -44,10 +39,15 @@ std::string worst_direction(const RunSummary& summary) {
 
 }  // namespace
 
+// A quantity that never changed has no R-hat: it is no evidence either way.
+bool is_judged(const QuantitySummary& q) {
+  return std::isfinite(q.rhat) && !(q.sd_over_prior_sd > kNotIdentified);
+}
+
 const QuantitySummary* furthest_from_good(const RunSummary& summary) {
   const QuantitySummary* worst = nullptr;
   for (const QuantitySummary& q : summary.quantities)
-    if (judged(q) && (worst == nullptr || badness(q) > badness(*worst))) worst = &q;
+    if (is_judged(q) && (worst == nullptr || badness(q) > badness(*worst))) worst = &q;
   return worst;
 }
 

@@ -15,6 +15,9 @@ constexpr double kGoodEss = 400;
 /// disagree most. Parameters that the photo does not pin down and chains that never moved are left out.
 std::string verdict(const RunSummary& summary);
 
+/// Whether a quantity is evidence: it moved, and the photo pins it down (or it has no prior to compare with).
+bool is_judged(const QuantitySummary& quantity);
+
 /// The quantity that is furthest from good, null if there is none to judge.
 const QuantitySummary* furthest_from_good(const RunSummary& summary);
 

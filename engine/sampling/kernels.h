@@ -66,8 +66,10 @@ std::vector<std::string> discrete_names();
 /// (0, 1]
 /// @param refresh  probability that a continuous move is a refresh move, [0, 1)
 /// @param discrete  of discrete_names()
+/// @param path_length  of make_hmc()
 /// @throws std::invalid_argument for an unknown name or a probability out of range
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
-                                    double refresh = 0, const std::string& discrete = "joint");
+                                    double refresh = 0, const std::string& discrete = "joint",
+                                    double path_length = 1.5);
 
 }  // namespace patina

@@ -30,10 +30,10 @@ class Mixture final : public Kernel {
   double alpha_;
 };
 
-std::unique_ptr<Kernel> make_continuous(const std::string& name) {
+std::unique_ptr<Kernel> make_continuous(const std::string& name, double path_length) {
   if (name == "mh") return make_random_walk();
   if (name == "mala") return make_mala();
-  if (name == "hmc") return make_hmc();
+  if (name == "hmc") return make_hmc(path_length);
   if (name == "nuts") return make_nuts();
   throw std::invalid_argument("unknown kernel '" + name + "'");
 }
@@ -61,10 +61,10 @@ std::vector<std::string> kernel_names() { return {"mh", "mala", "hmc", "nuts"}; 
 std::vector<std::string> discrete_names() { return {"joint", "single"}; }
 
 std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& target, double alpha,
-                                    double refresh, const std::string& discrete) {
+                                    double refresh, const std::string& discrete, double path_length) {
   check_alpha(alpha);
   if (!(refresh >= 0 && refresh < 1)) throw std::invalid_argument("refresh must be in [0, 1)");
-  std::unique_ptr<Kernel> continuous = make_continuous(name);
+  std::unique_ptr<Kernel> continuous = make_continuous(name, path_length);
   const std::vector<bool> jagged = target.jagged();
   const auto jagged_count = std::ranges::count(jagged, true);
   if (jagged_count > 0 && refresh == 0) throw std::invalid_argument("jagged coordinates need refresh moves");

@@ -34,6 +34,9 @@ class ManifestTest : public FolderTest {
     m.mean_sigma = 0.02;
     m.phase = RunPhase::failed;
     m.reason = "no memory";
+    m.settings.stop = {1.5, 400, 1.01};
+    m.seconds = {0.1 + 0.2, {1, 2}, {3, 4.5}};
+    m.evidence = StopEvidence{1200, "rough", 123.456, "light", 1.0123};
     m.map = MapPoint{{{1.0 / 3, 0.25}, {1}}, -12.345678901234567};
     return m;
   }
@@ -52,6 +55,8 @@ TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   EXPECT_EQ(r.settings.fixed, m.settings.fixed);
   EXPECT_EQ(r.settings.priors, m.settings.priors);
   EXPECT_EQ(r.table.continuous[1].prior, m.table.continuous[1].prior);
+  EXPECT_EQ(r.settings.stop, m.settings.stop);
+  EXPECT_EQ(r.evidence, m.evidence);
   EXPECT_EQ(r.phase, m.phase);
   ASSERT_TRUE(r.map);
   EXPECT_EQ(r.map->values, m.map->values);
@@ -92,7 +97,7 @@ TEST_F(ManifestTest, NoFieldOfAWrongKindIsBelievedOrCrashes) {
 TEST_F(ManifestTest, EveryMissingFieldIsRefusedByName) {
   const Json good = Json::parse(to_json(full()));
   for (const auto& [key, value] : good.items()) {
-    if (key == "seconds") continue;  // runs of the first version have none
+    if (key == "seconds" || key == "evidence") continue;  // runs of the first version have none
     Json bad = good;
     bad.erase(key);
     EXPECT_NE(user_error([&] { read(bad.dump()); }).find("'" + key + "' is missing"), std::string::npos);

@@ -12,14 +12,14 @@
 #include "engine/run/state_file.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
-#include "tests/run/run_fixture.h"
+#include "tests/io/folder_test.h"
 
 namespace patina {
 namespace {
 
 constexpr int kChains = 3;
 
-/// Two correlated coordinates and three levels that displace them, with a hook that every evaluation runs
+/// A bent ridge in two coordinates and three levels that displace it, with a hook that every evaluation runs
 /// first.
 class Mixed final : public LogDensity {
  public:
@@ -29,9 +29,8 @@ class Mixed final : public LogDensity {
   std::vector<int> discrete_levels() const override { return {3}; }
   Evaluation evaluate(const Position& p) const override {
     if (before) before();
-    const double x = p.continuous[0] - 0.5 * p.discrete[0], y = p.continuous[1];
-    return {-x * x - y * y + x * y - 0.1 * x * x * x * x,
-            Eigen::Vector2d(-2 * x + y - 0.4 * x * x * x, -2 * y + x)};
+    const double x = p.continuous[0] - 0.2 * p.discrete[0], off = p.continuous[1] - x * x;
+    return {-0.5 * x * x - 8 * off * off, Eigen::Vector2d(-x + 32 * off * x, -16 * off)};
   }
 };
 
@@ -40,8 +39,8 @@ class ResumeTest : public FolderTest {
  protected:
   ResumeTest() {
     settings_.chains = kChains;
-    settings_.warmup = 150;  // five windows
-    settings_.draws = 60;
+    settings_.warmup = 300;  // several windows, the last of which sees that the ridge is bent
+    settings_.draws = 40;
     settings_.material = "mixed";
     table_.material = "mixed";
     table_.continuous = {{"x", "", "", {0, 1, -100, 100}}, {"y", "", "", {0, 1, -100, 100}}};
@@ -69,7 +68,7 @@ class ResumeTest : public FolderTest {
                          std::chrono::milliseconds(1)};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(kChains); });
     WarmupMeeting meeting(
-        kChains, MetricKind::dense, 20,
+        kChains, MetricKind::curved, 20, {},
         [&](const WarmupRecord& record) { write_warmup(directory, "key", record); },
         read_warmup(directory, "key", target));
     std::deque<Chain> chains;
@@ -129,13 +128,21 @@ TEST_F(ResumeTest, KilledAndStoppedAtRandomTheFinishedChainsAreByteForByteTheUnd
     take_up(undisturbed);
     for (int tries = 0;; ++tries) {
       ASSERT_LT(tries, 500) << "it does not get ahead";
-      const int evaluation = 1 + static_cast<int>(random() % 400);
+      const int evaluation = 1 + static_cast<int>(random() % 900);
       if (take_up_until(evaluation, random() % 3 > 0, disturbed)) break;
       ++interruptions;
     }
     ASSERT_EQ(bytes_of(disturbed), bytes_of(undisturbed)) << "seed " << seed;
   }
   EXPECT_GT(interruptions, 40);
+}
+
+TEST_F(ResumeTest, TheRunThatIsKilledIsOneThatLearnsAStraightening) {
+  take_up(folder_);
+  const WarmupRecord record = read_warmup(folder_, "key", target_);
+  EXPECT_TRUE(std::ranges::any_of(record, [](const auto& held) {
+    return held.second.straightening != nullptr;
+  })) << "or the tests here leave its state out";
 }
 
 TEST_F(ResumeTest, OneWordOfTheRandomStreamAsideTheFinishedChainsDiffer) {
@@ -218,7 +225,8 @@ TEST_F(ResumeTest, AStateOfAnotherRunAnotherFileOrLostAgreementsIsRefused) {
   take_up(directory);
   const auto refusal = [&] { return user_error([&] { take_up(directory); }); };
   const auto read = [&](const std::string& key) {
-    return user_error([&] { read_checkpoint(chain_state_file(directory, 0), key, target_, 150); });
+    return user_error(
+        [&] { read_checkpoint(chain_state_file(directory, 0), key, target_, settings_.warmup); });
   };
   EXPECT_EQ(read("key"), "");
   EXPECT_NE(read("other").find("another run"), std::string::npos);

@@ -125,6 +125,23 @@ TEST_F(OpenRun, SeesARunOfItsOwnProcessGrowAndEnd) {
   EXPECT_EQ(draws.size(), writer->take_draws().size());
 }
 
+TEST_F(OpenRun, FollowsARunThatIsTakenUpAgainAfterItsEnd) {
+  draws_to_the_end(*start(settings()));
+  const auto reader = open_run(directory());
+  EXPECT_EQ(reader->take_draws().size(), 2u * (40 + 30));
+  EXPECT_EQ(reader->status().phase, RunPhase::finished);
+  RunSettings longer = settings();
+  longer.draws = 55;
+  const auto again = resume_run(longer, photo(), directory());
+  EXPECT_EQ(draws_to_the_end(*again).size(), 2u * (40 + 55));
+  std::size_t more = 0;
+  EXPECT_TRUE(comes_true([&] {
+    more += reader->take_draws().size();
+    return more == 2u * 25 && reader->status().phase == RunPhase::finished;
+  })) << more;
+  EXPECT_EQ(reader->settings().draws, 55);
+}
+
 TEST_F(OpenRun, RefusesWhatIsNoRun) {
   EXPECT_NE(refusal().find("no run directory"), std::string::npos) << refusal();
   std::filesystem::create_directory(directory());

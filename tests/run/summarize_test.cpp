@@ -89,6 +89,18 @@ TEST(SummarizeDraws, CountsEachChain) {
   EXPECT_NEAR(summary.chains[1].ebfmi, 2, 0.6);  // of independent energies
 }
 
+TEST(SummarizeDraws, EnergyFractionIsOfTheTrajectoriesWhereThereAreAny) {
+  std::vector<Draw> draws = random_draws(1, 400, 0);
+  Eigen::VectorXd energy(200);
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    draws[i].energy = -draws[i].lp;  // of a move without a momentum
+    if (i % 2 == 1) draws[i].energy += 0.1 * static_cast<double>(i);
+    if (i % 2 == 1) energy[static_cast<Eigen::Index>(i / 2)] = draws[i].energy;
+  }
+  EXPECT_DOUBLE_EQ(summarize_draws(small_table(), draws).chains[0].ebfmi, ebfmi(energy));
+  EXPECT_LT(ebfmi(energy), 0.3);
+}
+
 TEST(SummarizeDraws, CutsChainsToTheShortestThatHasDraws) {
   std::vector<Draw> draws = random_draws(3, 100, 0);
   std::erase_if(draws, [](const Draw& d) { return d.chain == 0 || (d.chain == 2 && d.iteration >= 40); });

@@ -1,0 +1,133 @@
+#include "engine/cli/fit_options.h"
+
+#include <CLI/CLI.hpp>
+#include <type_traits>
+
+#include "engine/io/params_json.h"
+#include "engine/material/registry.h"
+#include "engine/run/manifest.h"
+#include "engine/run/run_files.h"
+
+namespace patina {
+
+/// An option for one setting; seeds are checked by hand.
+template <typename T>
+void FitOptions::add(CLI::App& command, const std::string& names, T RunSettings::*setting,
+                     const std::string& help, const std::string& type) {
+  CLI::Option* option = command.add_option(names, parsed_.*setting, help);
+  if (type.empty())
+    option->capture_default_str();
+  else
+    option->type_name(type);
+  if constexpr (std::is_same_v<T, std::uint64_t>) option->check(seed_problem);
+  given_.push_back([this, option, setting](RunSettings& settings) {
+    if (option->count() > 0) settings.*setting = parsed_.*setting;
+  });
+}
+
+void FitOptions::add_to(CLI::App& command) {
+  parsed_.material.clear();
+  command.add_option("PHOTO", photo, "Flash photo of a flat sample, seen from above")->required();
+  command.add_option("--out", out, "Run directory to make")->type_name("RUN_DIR")->required();
+  add_model(command);
+  add_sampler(command);
+  add_counts(command);
+  add_stop_rules(command);
+  command.add_flag("--map-only", parsed_.map_only, "Stop when the best match is found");
+  command.add_flag("--resume", resume,
+                   "Go on with the run in RUN_DIR, to the draws that it would have made undisturbed; with a "
+                   "larger --draws also after its end. Starts it if there is none");
+  command.add_flag("--quiet", quiet, "Print nothing but errors (and --json)");
+  command.add_flag("--json", json, "Print the result as one JSON document");
+}
+
+void FitOptions::add_model(CLI::App& command) {
+  add(command, "--material", &RunSettings::material, "The material's name", "NAME");
+  add(command, "--summary", &RunSettings::summary,
+      "What renders and photo are compared by: gram, rings, bands, means, or several joined by + "
+      "(default: the material's)",
+      "NAME");
+  add(command, "--network", &RunSettings::network, "Weights of the summary's network (default: bundled)",
+      "FILE");
+  add(command, "--resolution", &RunSettings::resolution,
+      "Pixels a side at which renders are compared with the photo");
+  capture_.add_to(command);
+  command.add_option("--fix", fixed_, "Hold a parameter at a value (repeatable)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--prior", priors_, "Replace a parameter's prior (repeatable)")
+      ->type_name("NAME=MEAN,SD,LOW,HIGH")
+      ->allow_extra_args(false);
+}
+
+void FitOptions::add_sampler(CLI::App& command) {
+  add(command, "--kernel", &RunSettings::kernel, "Transition of the chains: mh, mala, hmc, nuts");
+  add(command, "--metric", &RunSettings::metric,
+      "Covariance that warm-up learns: identity, diagonal, dense, curved");
+  add(command, "--alpha", &RunSettings::alpha,
+      "Share of continuous moves, where there are discrete parameters");
+  add(command, "--refresh", &RunSettings::refresh,
+      "Share of the continuous moves that refresh one parameter from its prior");
+  add(command, "--path-length", &RunSettings::path_length,
+      "Mean length of hmc's trajectories, in standard deviations");
+  command
+      .add_option("--start", start_,
+                  "Where chains begin: map (spread about the best match), prior (a draw of it each), "
+                  "prior-mean, or a file of parameters as `export --format json` writes it (default: map)")
+      ->type_name("WHERE|FILE");
+  add(command, "--discrete", &RunSettings::discrete, "Proposal of discrete levels: joint, single");
+}
+
+void FitOptions::add_counts(CLI::App& command) {
+  add(command, "--chains", &RunSettings::chains, "Number of chains");
+  add(command, "--warmup", &RunSettings::warmup, "Warm-up iterations of each chain");
+  add(command, "--draws", &RunSettings::draws, "Draws of each chain after warm-up");
+  add(command, "--seed", &RunSettings::seed, "Seed of the search and the chains");
+  add(command, "--z-seed", &RunSettings::z_seed, "Seed of the irregularities");
+}
+
+void FitOptions::add_stop_rules(CLI::App& command) {
+  const auto add_rule = [&](const char* name, double StopRules::*rule, const char* help) {
+    CLI::Option* option = command.add_option(name, parsed_.stop.*rule, help);
+    given_.push_back([this, option, rule](RunSettings& settings) {
+      if (option->count() > 0) settings.stop.*rule = parsed_.stop.*rule;
+    });
+  };
+  add_rule("--minutes", &StopRules::minutes, "End after so many minutes, search included (0: no limit)");
+  add_rule("--ess", &StopRules::ess,
+           "End when every identified parameter has so many effective draws, bulk and tail (0: do not ask)");
+  add_rule("--rhat", &StopRules::rhat,
+           "End when no identified parameter's R-hat is above this, for example 1.01 (0: do not ask)");
+}
+
+void FitOptions::set_start(RunSettings& settings) const {
+  if (start_.empty()) return;
+  settings.start_at.clear();
+  settings.start = start_;
+  if (start_ == "map" || start_ == "prior" || start_ == "prior-mean") return;
+  settings.start = "values";
+  const ParameterTable table = material_table(settings.material);
+  const ParameterValues values = read_params(start_, table, prior_location(table));
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    settings.start_at[table.continuous[i].name] = values.continuous[i];
+  for (std::size_t i = 0; i < table.discrete.size(); ++i)
+    settings.start_at[table.discrete[i].name] = values.discrete[i];
+}
+
+RunSettings FitOptions::settings() const {
+  std::error_code ignored;
+  const bool goes_on = resume && std::filesystem::exists(manifest_file(out), ignored);
+  if (!goes_on) check_material_argument(parsed_.material);
+  RunSettings settings = goes_on ? read_manifest(out).settings : parsed_;
+  for (const auto& copy : given_) copy(settings);
+  settings.map_only = parsed_.map_only;
+  if (!goes_on || capture_.given()) settings.capture = capture_.capture();
+  set_start(settings);
+  if (!fixed_.empty()) settings.fixed.clear();
+  for (const std::string& text : fixed_) settings.fixed.insert(parse_assignment("--fix", text));
+  if (!priors_.empty()) settings.priors.clear();
+  for (const std::string& text : priors_) settings.priors.insert(parse_prior(text));
+  return settings;
+}
+
+}  // namespace patina
