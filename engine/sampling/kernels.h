@@ -18,8 +18,10 @@ std::unique_ptr<Kernel> make_random_walk();
 /// every transition, uniform from 1 to 2 path_length / step - 1.
 /// @param path_length  mean length of a trajectory in standard deviations (as the metric has them)
 /// @param most_steps   bound on the number of steps, and so of evaluations
-/// @throws std::invalid_argument unless both are positive
-std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 24);
+/// @param careful      probability of a trajectory of steps a tenth to the whole of what warm-up says, which
+///                     also leaves places that are narrower than where warm-up learnt the length
+/// @throws std::invalid_argument unless length and steps are positive and careful is in [0, 1)
+std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 24, double careful = 0.3);
 
 /// The no-U-turn sampler (Hoffman & Gelman 2014) as Stan has it: multinomial draws and the generalised
 /// criterion of Betancourt 2017 ("A conceptual introduction to Hamiltonian Monte Carlo", appendix A).

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -27,13 +28,15 @@ Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& chains) {
   return all;
 }
 
-/// Knots at Harrell's quantiles for five; none where draws that repeat make two of them fall together.
+/// Knots at quantiles, the outer ones near the ends: beyond them the map knows no width. None where draws
+/// that repeat make two of them fall together.
 std::optional<NaturalSplineBasis> basis_for(std::vector<double> values) {
+  constexpr std::array<double, 5> kQuantiles{0.01, 0.25, 0.5, 0.75, 0.99};
   std::ranges::sort(values);
   Eigen::VectorXd knots(5);
-  for (Eigen::Index k = 0; k < 5; ++k)
-    knots[k] = values[static_cast<std::size_t>((0.05 + 0.225 * static_cast<double>(k)) *
-                                               static_cast<double>(values.size() - 1))];
+  for (std::size_t k = 0; k < 5; ++k)
+    knots[static_cast<Eigen::Index>(k)] =
+        values[static_cast<std::size_t>(kQuantiles[k] * static_cast<double>(values.size() - 1))];
   const double least = 1e-3 * (knots[4] - knots[0]);
   for (Eigen::Index k = 1; k < 5; ++k)
     if (!(knots[k] - knots[k - 1] > least)) return std::nullopt;

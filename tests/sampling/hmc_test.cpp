@@ -37,6 +37,21 @@ TEST(Hmc, of_a_path_of_a_whole_period_still_mixes) {
   EXPECT_LT(std::abs(lag_one(*make_hmc(2 * std::numbers::pi), target, settings, 4000)), 0.6);
 }
 
+TEST(Hmc, leaves_a_place_too_narrow_for_its_step_when_some_trajectories_are_careful) {
+  const GaussianTarget narrow(Eigen::VectorXd::Zero(2), 0.01 * 0.01 * Eigen::MatrixXd::Identity(2, 2));
+  const KernelSettings settings = settings_with(0.08, Eigen::MatrixXd::Identity(2, 2));
+  const auto accepted = [&](double careful) {
+    Rng rng(77);
+    ChainState state = state_at(narrow, {0.01 * rng.normals(2), {}});
+    int count = 0;
+    for (int i = 0; i < 500; ++i)
+      count += make_hmc(1.5, 24, careful)->step(narrow, settings, state, rng).accepted;
+    return count;
+  };
+  EXPECT_EQ(accepted(0), 0);
+  EXPECT_GT(accepted(0.3), 30);
+}
+
 TEST(Hmc, counts_its_evaluations) {
   int evaluations = 0;
   const FunctionTarget target(1, [&](const Position& position) {
@@ -48,8 +63,9 @@ TEST(Hmc, counts_its_evaluations) {
   evaluations = 0;
   int counted = 0;
   for (int i = 0; i < 200; ++i)
-    counted +=
-        make_hmc()->step(target, settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), state, rng).evaluations;
+    counted += make_hmc(1.5, 24, 0)
+                   ->step(target, settings_with(0.3, Eigen::MatrixXd::Identity(1, 1)), state, rng)
+                   .evaluations;
   EXPECT_EQ(counted, evaluations);
   EXPECT_NEAR(counted / 200.0, 1.5 / 0.3, 0.5);
 }

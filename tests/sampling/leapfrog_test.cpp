@@ -108,7 +108,7 @@ TEST(Hmc, of_one_step_is_mala) {
   const KernelSettings settings = settings_with(0.9, some_covariance(3));
   Rng hmc_rng(74), mala_rng(74);
   ChainState hmc_state = somewhere(hmc_rng).state, mala_state = somewhere(mala_rng).state;
-  const auto hmc = make_hmc(1e-3), mala = make_mala();
+  const auto hmc = make_hmc(1e-3, 24, 0), mala = make_mala();
   for (int t = 0; t < 200; ++t) {
     mala_rng.below(1);  // what HMC takes for its number of steps
     const TransitionInfo a = hmc->step(kTarget, settings, hmc_state, hmc_rng);
@@ -125,7 +125,7 @@ TEST(Hmc, takes_paths_of_its_length_on_average_and_never_more_steps_than_it_may)
     ChainState state = state_at(target, {Eigen::VectorXd::Zero(1), {}});
     double sum = 0;
     for (int t = 0; t < 4000; ++t) {
-      const int steps = make_hmc(path, most)
+      const int steps = make_hmc(path, most, 0)
                             ->step(target, settings_with(0.1, Eigen::MatrixXd::Identity(1, 1)), state, rng)
                             .evaluations;
       EXPECT_LE(steps, most);
