@@ -50,9 +50,12 @@ std::vector<Draw> RunReader::take_draws() {
   if (last_look_ && now < *last_look_ + kLookInterval) return {};
   // In this order, so that a writer that ended in between left nothing unread.
   writer_lives_ = is_locked(lock_file(directory_));  // also of a run that ended: it may be taken up again
-  if (writer_lives_ || !has_ended(manifest_.phase)) manifest_ = read_manifest(directory_);
+  const bool ended = has_ended(manifest_.phase) && !writer_lives_;
+  if (!ended) manifest_ = read_manifest(directory_);
   std::vector<Draw> draws;
   for (int k = 0; k < manifest_.settings.chains; ++k) read_chain(k, draws);
+  // Draws after the end are of a run that was taken up, and ended, again between two looks.
+  if (ended && last_look_ && !draws.empty()) manifest_ = read_manifest(directory_);
   if (last_look_ && !draws.empty()) draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
   last_look_ = now;
   return draws;
