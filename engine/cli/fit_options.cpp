@@ -88,7 +88,7 @@ void FitOptions::add_counts(CLI::App& command) {
 
 void FitOptions::add_stop_rules(CLI::App& command) {
   const auto add_rule = [&](const char* name, double StopRules::*rule, const char* help) {
-    CLI::Option* option = command.add_option(name, parsed_.stop.*rule, help);
+    CLI::Option* option = command.add_option(name, parsed_.stop.*rule, help)->capture_default_str();
     given_.push_back([this, option, rule](RunSettings& settings) {
       if (option->count() > 0) settings.stop.*rule = parsed_.stop.*rule;
     });
@@ -97,7 +97,7 @@ void FitOptions::add_stop_rules(CLI::App& command) {
   add_rule("--ess", &StopRules::ess,
            "End when every identified parameter has so many effective draws, bulk and tail (0: do not ask)");
   add_rule("--rhat", &StopRules::rhat,
-           "End when no identified parameter's R-hat is above this, for example 1.01 (0: do not ask)");
+           "and no identified parameter's R-hat is above this (0: do not ask)");
 }
 
 void FitOptions::set_start(RunSettings& settings) const {

@@ -9,9 +9,9 @@ Signature Bump::signature() {
   return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"}, {}};
 }
 
-Surface Bump::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z,
+Surface Bump::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,
                       const Capture& capture, int resolution) const {
-  const at::Tensor light = p[0], albedo = p.narrow(0, 1, 3), rough = p[4], fsigma = p[5], fscale = p[6];
+  const at::Tensor light = p[0], albedo = p.run(1, 3), rough = p[4], fsigma = p[5], fscale = p[6];
 
   Surface surface;
   surface.base_color = albedo.view({3, 1, 1});

@@ -38,15 +38,15 @@ Signature Flake::signature() {
           {"scale", "shift_x", "shift_y"}};
 }
 
-Surface Flake::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z, const Capture&,
+Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z, const Capture&,
                        int resolution) const {
-  const at::Tensor top_f0 = p.narrow(0, 1, 1), top_rough = p[2], flake_f0 = p.narrow(0, 3, 3);
+  const at::Tensor top_f0 = p.run(1, 1), top_rough = p[2], flake_f0 = p.run(3, 3);
   const at::Tensor flake_rough = p[6], flake_ndf = p[7], scale = p[8], shift_x = p[9], shift_y = p[10];
-  const at::Tensor weight = p[11], glow_rough = p[12], glow_f0 = p.narrow(0, 13, 3);
+  const at::Tensor weight = p[11], glow_rough = p[12], glow_f0 = p.run(13, 3);
 
   Surface surface;
-  const at::TensorOptions constant = p.options().requires_grad(false);
-  surface.base_color = p.narrow(0, 16, 3).view({3, 1, 1});
+  const at::TensorOptions constant = p.options();
+  surface.base_color = p.run(16, 3).view({3, 1, 1});
   surface.height = at::zeros({1, 1}, constant).expand({resolution, resolution});
   surface.normal = at::tensor({0.0, 0.0, 1.0}, constant).view({3, 1, 1}).expand({3, resolution, resolution});
   const at::Tensor flakes = without_neighbours(look_up(z.flakes(), scale, shift_x, shift_y, resolution));

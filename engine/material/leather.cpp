@@ -15,7 +15,7 @@ Signature Leather::signature() {
           {"scale", "shift_x", "shift_y"}};
 }
 
-Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, const Irregularities& z,
+Surface Leather::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,
                          const Capture& capture, int resolution) const {
   const at::Tensor rough = p[4], rough_var = p[5], height = p[6], power = p[7], scale = p[8],
                    noise_scale = p[9];
@@ -34,7 +34,7 @@ Surface Leather::surface(const at::Tensor& p, std::span<const int> discrete, con
   surface.height = without_neighbours(heights);
   surface.normal = open_normals(heights, capture.size_cm / resolution);
   const at::Tensor roughness = at::hardtanh(rough + (1 - cells) * rough_var, 0.1, 0.8);
-  surface.base_color = p.narrow(0, 1, 3).view({3, 1, 1});
+  surface.base_color = p.run(1, 3).view({3, 1, 1});
   surface.lobes = {dielectric_lobe(surface.normal, roughness)};
   surface.light = p[0];
   surface.vignette_sigma = p[12];

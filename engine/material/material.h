@@ -1,7 +1,5 @@
 #pragma once
 
-#include <ATen/core/Tensor.h>
-
 #include <span>
 #include <string_view>
 #include <vector>
@@ -9,6 +7,7 @@
 #include "engine/material/capture.h"
 #include "engine/material/irregularities.h"
 #include "engine/material/parameter.h"
+#include "engine/material/parameter_tensors.h"
 #include "engine/material/surface.h"
 #include "engine/material/tile.h"
 
@@ -36,11 +35,11 @@ class Material {
   /// What of its surface repeats. Tiling::map: it has the parameters that whole_period() needs.
   virtual Tiling tiling() const = 0;
 
-  /// @param parameters  [table().continuous.size()] float32, in parameter units; gradients flow through it
+  /// @param parameters  as many as table().continuous, in parameter units
   /// @param discrete    a level for each of table().discrete
   /// @param z           the irregularities; the same z gives the same surface at any resolution
   /// @param resolution  n, pixels a side
-  virtual Surface surface(const at::Tensor& parameters, std::span<const int> discrete,
+  virtual Surface surface(const ParameterTensors& parameters, std::span<const int> discrete,
                           const Irregularities& z, const Capture& capture, int resolution) const = 0;
 };
 

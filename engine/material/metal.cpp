@@ -12,15 +12,15 @@ Signature Metal::signature() {
           {}};
 }
 
-Surface Metal::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z,
+Surface Metal::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,
                        const Capture& capture, int resolution) const {
   const at::Tensor roughx = p[4], roughy = p[5], fsigmax = p[6], fsigmay = p[7], fscale = p[8];
 
   Surface surface;
-  surface.base_color = at::zeros({3, 1, 1}, p.options().requires_grad(false));
+  surface.base_color = at::zeros({3, 1, 1}, p.options());
   surface.height = gaussian_heightfield(z, fscale, fsigmax, fsigmay, capture.size_cm, resolution);
   surface.normal = heightfield_normals(surface.height, capture.size_cm / resolution);
-  surface.lobes = {{surface.normal, p.narrow(0, 1, 3), roughx, roughy}};
+  surface.lobes = {{surface.normal, p.run(1, 3), roughx, roughy}};
   surface.light = p[0];
   surface.vignette_sigma = p[9];
   return surface;

@@ -16,7 +16,7 @@ Signature Plaster::signature() {
           {"scale", "shift_x", "shift_y"}};
 }
 
-Surface Plaster::surface(const at::Tensor& p, std::span<const int> discrete, const Irregularities& z,
+Surface Plaster::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,
                          const Capture& capture, int resolution) const {
   const at::Tensor rough = p[4], rough_var = p[5], height = p[6], slope = p[7];
   const at::Tensor scale = p[8], shift_x = p[9], shift_y = p[10];
@@ -27,7 +27,7 @@ Surface Plaster::surface(const at::Tensor& p, std::span<const int> discrete, con
       at::hardtanh(rough + at::rsub(2 * without_neighbours(noise), 1) * rough_var, 0.1, 0.8);
 
   Surface surface;
-  surface.base_color = p.narrow(0, 1, 3).view({3, 1, 1});
+  surface.base_color = p.run(1, 3).view({3, 1, 1});
   surface.height = without_neighbours(heights);
   surface.normal = open_normals(heights, capture.size_cm / resolution);
   surface.lobes = {dielectric_lobe(surface.normal, roughness)};

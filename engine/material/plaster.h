@@ -11,7 +11,7 @@ class Plaster final : public Material {
   explicit Plaster(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
   Tiling tiling() const override { return Tiling::map; }
-  Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,
+  Surface surface(const ParameterTensors& parameters, std::span<const int> discrete, const Irregularities& z,
                   const Capture& capture, int resolution) const override;
 
  private:

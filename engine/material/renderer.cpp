@@ -10,8 +10,8 @@
 
 #include "engine/error.h"
 #include "engine/material/material.h"
+#include "engine/material/photograph.h"
 #include "engine/material/registry.h"
-#include "engine/material/shading.h"
 
 namespace patina {
 namespace {
@@ -104,7 +104,7 @@ MaterialMaps Renderer::tile(const ParameterValues& values, int resolution) const
 Image Renderer::render(const ParameterValues& values, int resolution, DisplayCurve curve) const {
   const at::NoGradGuard no_grad;
   const Surface surface = parts_->surface(values, parts_->capture, resolution);
-  return to_image(display(shade(surface, parts_->capture, resolution), curve), resolution);
+  return to_image(photograph(surface, parts_->capture, resolution, curve), resolution);
 }
 
 }  // namespace patina

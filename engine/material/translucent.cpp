@@ -38,14 +38,14 @@ at::Tensor glow(const Medium& medium, const at::Tensor& square_radius) {
 
 Signature Translucent::signature() { return {{"light", "sigma_s", "sigma_a", "g", "iSigma"}, {}}; }
 
-Surface Translucent::surface(const at::Tensor& p, std::span<const int>, const Irregularities&,
+Surface Translucent::surface(const ParameterTensors& p, std::span<const int>, const Irregularities&,
                              const Capture& capture, int resolution) const {
   const CaptureView view = capture_view(capture, resolution, p.scalar_type());
   const at::Tensor exitance =
       glow({.scattering = p[1], .absorption = p[2], .anisotropy = p[3]}, view.square_radius);
 
   Surface surface;
-  const at::TensorOptions constant = p.options().requires_grad(false);
+  const at::TensorOptions constant = p.options();
   // What shading will multiply by for the flash, which is not there.
   const at::Tensor flash = view.direction[2] * view.inverse_square_distance;
   surface.base_color = (exitance / flash).expand({3, resolution, resolution});

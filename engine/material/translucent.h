@@ -15,7 +15,7 @@ class Translucent final : public Material {
   Tiling tiling() const override { return Tiling::none; }
   /// base_color is apparent: what a diffuse surface would need to send as much light to the camera, had the
   /// flash lit all of it. It has no bound.
-  Surface surface(const at::Tensor& parameters, std::span<const int> discrete, const Irregularities& z,
+  Surface surface(const ParameterTensors& parameters, std::span<const int> discrete, const Irregularities& z,
                   const Capture& capture, int resolution) const override;
 
  private:

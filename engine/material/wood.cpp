@@ -83,9 +83,9 @@ Signature Wood::signature() {
           {"center_x", "center_y", "ring_size", "ssn_scale", "cut_angle"}};
 }
 
-Surface Wood::surface(const at::Tensor& p, std::span<const int>, const Irregularities& z,
+Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,
                       const Capture& capture, int resolution) const {
-  const at::Tensor albedo = p.narrow(0, 1, 3).view({3, 1, 1}), centre = p.narrow(0, 4, 3), ring_size = p[7];
+  const at::Tensor albedo = p.run(1, 3).view({3, 1, 1}), centre = p.run(4, 3), ring_size = p[7];
   const at::Tensor lw_power = p[8], ssn_scale = p[12], ssn_power = p[13], grn_scale = p[14],
                    grn_amplitude = p[15], gdn_scale = p[16], gdn_amplitude = p[17], cut_angle = p[18];
   const at::Tensor rough = p[19], ew_rough = p[20], lw_height = p[21];

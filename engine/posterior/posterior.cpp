@@ -4,6 +4,7 @@
 #include <ATen/core/Tensor.h>
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/from_blob.h>
+#include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/tensor.h>
 
 #include <cassert>
@@ -16,8 +17,8 @@
 #include "engine/error.h"
 #include "engine/io/photo.h"
 #include "engine/material/material.h"
+#include "engine/material/photograph.h"
 #include "engine/material/registry.h"
-#include "engine/material/shading.h"
 #include "engine/posterior/error_model.h"
 #include "engine/posterior/parameter_space.h"
 #include "engine/summary/summary.h"
@@ -63,17 +64,46 @@ struct Posterior::Parts {
   }
 
   /// Summary of the render at parameter values, with its graph.
-  at::Tensor summary_at(const at::Tensor& parameters, const std::vector<int>& discrete) const {
+  at::Tensor summary_at(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
     const Surface surface = material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
-    const at::Tensor image =
-        display(shade(surface, settings.capture, settings.resolution), DisplayCurve::srgb);
-    return (*summary)(image);
+    return (*summary)(photograph(surface, settings.capture, settings.resolution, DisplayCurve::srgb));
   }
 
   /// Half the chi-square of the render's summary, a double scalar with its graph.
-  at::Tensor misfit(const at::Tensor& parameters, const std::vector<int>& discrete) const {
+  at::Tensor misfit(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
     const at::Tensor residual = (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
     return residual.to(at::kDouble).square().sum() * 0.5;
+  }
+
+  /// Parameter values as leaves of a graph; only those whose gradient is wanted ask for one.
+  std::vector<at::Tensor> leaves(const ParameterValues& values, bool jagged_too) const {
+    std::vector<at::Tensor> leaves;
+    for (const double value : values.continuous) leaves.push_back(at::scalar_tensor(value, at::kFloat));
+    for (const std::size_t i : space.free())
+      leaves[i].set_requires_grad(jagged_too || !space.table().continuous[i].jagged);
+    return leaves;
+  }
+
+  Evaluation evaluate(const Position& position, bool along_jagged) const {
+    if (!position.continuous.allFinite()) return outside_support(space.dimension());
+    const ParameterValues values = space.values(position);
+    const std::vector<at::Tensor> parameters = leaves(values, along_jagged);
+    const at::Tensor misfit = this->misfit(parameters, values.discrete);
+    if (misfit.requires_grad()) misfit.backward();
+
+    Eigen::VectorXd by_value = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (const at::Tensor& gradient = parameters[i].grad(); gradient.defined())
+        by_value[static_cast<Eigen::Index>(i)] = gradient.item<double>();
+    Evaluation evaluation;
+    evaluation.log_density = -0.5 * position.continuous.squaredNorm() - misfit.item<double>();
+    evaluation.gradient = -position.continuous - space.pull_back(position, by_value);
+    const std::vector<bool> jagged = space.jagged();
+    for (std::size_t i = 0; i < jagged.size(); ++i)
+      if (jagged[i] && !along_jagged) evaluation.gradient[static_cast<Eigen::Index>(i)] = 0;
+    if (!std::isfinite(evaluation.log_density) || !evaluation.gradient.allFinite())
+      return outside_support(space.dimension());
+    return evaluation;
   }
 };
 
@@ -90,7 +120,7 @@ Eigen::VectorXd Posterior::predicted(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
   const at::Tensor whitened =
-      (parts_->summary_at(at::tensor(values.continuous, at::kFloat), values.discrete) * parts_->inverse_sigma)
+      (parts_->summary_at(parts_->leaves(values, false), values.discrete) * parts_->inverse_sigma)
           .to(at::kDouble)
           .contiguous();
   return Eigen::Map<const Eigen::VectorXd>(whitened.data_ptr<double>(), whitened.numel());
@@ -120,33 +150,10 @@ ParameterValues Posterior::values(const Position& position) const { return parts
 
 Position Posterior::position(const ParameterValues& values) const { return parts_->space.position(values); }
 
-Evaluation Posterior::evaluate(const Position& position) const {
-  Evaluation evaluation = evaluate_with_whole_gradient(position);
-  if (!std::isfinite(evaluation.log_density)) return evaluation;
-  const std::vector<bool> along = jagged();
-  for (std::size_t i = 0; i < along.size(); ++i)
-    if (along[i]) evaluation.gradient[static_cast<Eigen::Index>(i)] = 0;
-  return evaluation;
-}
+Evaluation Posterior::evaluate(const Position& position) const { return parts_->evaluate(position, false); }
 
 Evaluation Posterior::evaluate_with_whole_gradient(const Position& position) const {
-  if (!position.continuous.allFinite()) return outside_support(dimension());
-  const ParameterValues values = parts_->space.values(position);
-  at::Tensor parameters = at::tensor(values.continuous, at::kFloat);
-  parameters.set_requires_grad(true);
-
-  const at::Tensor misfit = parts_->misfit(parameters, values.discrete);
-  misfit.backward();
-  const at::Tensor misfit_gradient = parameters.grad().to(at::kDouble).contiguous();
-
-  const Eigen::Map<const Eigen::VectorXd> by_value(misfit_gradient.data_ptr<double>(),
-                                                   misfit_gradient.size(0));
-  Evaluation evaluation;
-  evaluation.log_density = -0.5 * position.continuous.squaredNorm() - misfit.item<double>();
-  evaluation.gradient = -position.continuous - parts_->space.pull_back(position, by_value);
-  if (!std::isfinite(evaluation.log_density) || !evaluation.gradient.allFinite())
-    return outside_support(dimension());
-  return evaluation;
+  return parts_->evaluate(position, true);
 }
 
 }  // namespace patina

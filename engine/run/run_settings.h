@@ -32,7 +32,7 @@ struct RunSettings {
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   int warmup = 1500;
-  int draws = 4000;       ///< per chain, after warm-up
+  int draws = 4000;       ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;     ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.75;  ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   double path_length = 1.5;  ///< of hmc's trajectories, in standard deviations (kernels.h)
@@ -43,7 +43,9 @@ struct RunSettings {
   std::uint64_t seed = 1;                  ///< of the search and the chains
   std::uint64_t z_seed = 1;                ///< of the irregularities
   bool map_only = false;                   ///< stop after the search for the mode
-  StopRules stop;
+  /// By default the usual demands on draws that are to be trusted (Vehtari et al. 2021), and the patience of
+  /// someone who waits; a run that ends before all its draws are made can be continued.
+  StopRules stop = {.minutes = 9, .ess = 400, .rhat = 1.01};
   std::map<std::string, double> fixed;
   std::map<std::string, TruncatedNormal> priors;
 };

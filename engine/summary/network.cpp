@@ -1,11 +1,7 @@
 #include "engine/summary/network.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/ops/avg_pool2d.h>
-#include <ATen/ops/conv2d.h>
 #include <ATen/ops/max_pool2d.h>
-#include <ATen/ops/reflection_pad2d.h>
-#include <ATen/ops/relu.h>
 
 #include <algorithm>
 
@@ -13,31 +9,23 @@
 
 namespace patina {
 
-at::Tensor Network::Convolution::operator()(const at::Tensor& x) const {
-  const std::int64_t pad = weight.size(2) / 2;
-  const bool mirrored = reflect && pad > 0;
-  const at::Tensor y = at::conv2d(mirrored ? at::reflection_pad2d(x, {pad, pad, pad, pad}) : x, weight, bias,
-                                  /*stride=*/1, /*padding=*/mirrored ? 0 : pad);
-  return relu ? at::relu(y) : y;
-}
-
 std::vector<at::Tensor> Network::features(const at::Tensor& image) const {
   at::Tensor trunk = ((image.unsqueeze(0) - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
   std::vector<at::Tensor> taps;
   for (const Layer& layer : layers_) {
     switch (layer.op) {
       case Op::conv:
-        trunk = layer.convolutions.front()(trunk);
+        trunk = convolve(layer.convolutions.front(), trunk);
         break;
       case Op::avg_pool:
-        trunk = at::avg_pool2d(trunk, {2, 2});
+        trunk = average_pool(trunk);
         break;
       case Op::max_pool:
         trunk = at::max_pool2d(trunk, {2, 2});
         break;
       case Op::tap: {
         at::Tensor tap = trunk;
-        for (const Convolution& convolution : layer.convolutions) tap = convolution(tap);
+        for (const FrozenConvolution& convolution : layer.convolutions) tap = convolve(convolution, tap);
         taps.push_back(tap.squeeze(0));
         break;
       }
@@ -63,7 +51,7 @@ int Network::minimum_resolution() const {
   for (const Layer& layer : layers_) {
     if (layer.op == Op::avg_pool || layer.op == Op::max_pool) scale *= 2;
     smallest = std::max(smallest, scale);
-    for (const Convolution& convolution : layer.convolutions)
+    for (const FrozenConvolution& convolution : layer.convolutions)
       if (convolution.reflect) smallest = std::max(smallest, scale * (convolution.weight.size(2) / 2 + 1));
   }
   return static_cast<int>(smallest);

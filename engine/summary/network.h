@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/summary/feature_steps.h"
+
 namespace patina {
 
 /// A small feed-forward convolutional network, described by its file. Safe to call from several threads.
@@ -41,16 +43,9 @@ class Network {
 
  private:
   enum class Op { conv, avg_pool, max_pool, tap };
-  struct Convolution {
-    at::Tensor weight;  ///< [out, in, k, k]
-    at::Tensor bias;    ///< [out]
-    bool relu = true;
-    bool reflect = true;  ///< padding by reflection, not with zeros
-    at::Tensor operator()(const at::Tensor& x) const;
-  };
   struct Layer {
     Op op = Op::tap;
-    std::vector<Convolution> convolutions;
+    std::vector<FrozenConvolution> convolutions;
   };
   friend class NetworkReader;
 

@@ -107,7 +107,7 @@ class NetworkReader {
     return cached;
   }
 
-  Network::Convolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) {
+  FrozenConvolution read_convolution(const std::string& name, std::int64_t in_channels, bool relu) {
     const std::vector<std::int64_t>&weight = shape(name + ".weight", 4), &bias = shape(name + ".bias", 1);
     if (weight[1] != in_channels)
       refuse("'" + printable(name) + "' takes " + std::to_string(weight[1]) + " channels where " +

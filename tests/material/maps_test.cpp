@@ -13,6 +13,7 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/material/shading.h"
 #include "engine/material/look_up.h"
 #include "materials_fixture.h"
 

@@ -9,7 +9,7 @@
 
 #include "engine/material/material.h"
 #include "engine/material/registry.h"
-#include "engine/material/shading.h"
+#include "engine/material/photograph.h"
 
 namespace patina {
 
@@ -38,8 +38,7 @@ inline at::Tensor render(const Material& material, const at::Tensor& parameters,
                          DisplayCurve curve = DisplayCurve::srgb,
                          const Irregularities& z = shared_irregularities()) {
   const Capture capture;
-  return display(shade(material.surface(parameters, discrete, z, capture, resolution), capture, resolution),
-                 curve);
+  return photograph(material.surface(parameters, discrete, z, capture, resolution), capture, resolution, curve);
 }
 
 }  // namespace patina

@@ -1,3 +1,4 @@
+#include "engine/material/shading.h"
 #include "engine/material/renderer.h"
 
 #include <ATen/TensorOperators.h>

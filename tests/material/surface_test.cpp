@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/material/shading.h"
 #include "engine/material/gaussian_heightfield.h"
 #include "engine/material/heightfield.h"
 #include "materials_fixture.h"

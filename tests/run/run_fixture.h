@@ -53,6 +53,7 @@ class RunTest : public FolderTest {
     settings.warmup = 40;
     settings.draws = 30;
     settings.seed = 11;
+    settings.stop = {};  // all draws, however good they are
     return settings;
   }
 

@@ -1,0 +1,237 @@
+#include "engine/material/photograph.h"
+
+#include <ATen/Parallel.h>
+#include <ATen/ops/empty.h>
+#include <ATen/ops/empty_like.h>
+#include <ATen/ops/zeros_like.h>
+#include <torch/csrc/autograd/custom_function.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/material/capture_view.h"
+#include "engine/material/shading.h"
+#include "engine/material/shading_kernel.h"
+
+namespace patina {
+namespace {
+
+using torch::autograd::AutogradContext;
+using torch::autograd::variable_list;
+
+constexpr std::int64_t kBlock = 4096;  // pixels: enough to pay for a thread, few enough to add up in float32
+
+/// Where the tensors of a lobe lie among the inputs.
+struct LobeInputs {
+  std::int64_t normal, f0, roughness_x, roughness_y;
+};
+
+/// The tensors that a photograph depends on, each once.
+struct Inputs {
+  static constexpr std::int64_t kLight = 0, kVignetteSigma = 1, kBaseColor = 2, kNormal = 3;
+  variable_list tensors;
+  std::vector<LobeInputs> lobes;
+};
+
+at::Tensor as_colour(const at::Tensor& colour) {
+  const at::Tensor planes = colour.dim() == 1 ? colour.view({-1, 1, 1}) : colour;
+  return planes.expand({3, planes.size(1), planes.size(2)});
+}
+
+Inputs collect(const Surface& surface) {
+  Inputs inputs{{surface.light, surface.vignette_sigma, as_colour(surface.base_color), surface.normal}, {}};
+  const auto add = [&](const at::Tensor& tensor) {
+    inputs.tensors.push_back(tensor);
+    return static_cast<std::int64_t>(inputs.tensors.size()) - 1;
+  };
+  for (const Lobe& lobe : surface.lobes) {
+    LobeInputs at{};
+    at.normal = lobe.normal.is_same(surface.normal) ? Inputs::kNormal : add(lobe.normal);
+    at.f0 = add(as_colour(lobe.f0));
+    at.roughness_x = add(lobe.roughness_x);
+    at.roughness_y = lobe.roughness_y.is_same(lobe.roughness_x) ? at.roughness_x : add(lobe.roughness_y);
+    inputs.lobes.push_back(at);
+  }
+  for (at::Tensor& tensor : inputs.tensors) tensor = tensor.contiguous();
+  return inputs;
+}
+
+std::vector<std::int64_t> flat(const std::vector<LobeInputs>& lobes) {
+  std::vector<std::int64_t> numbers;
+  for (const LobeInputs& lobe : lobes)
+    numbers.insert(numbers.end(), {lobe.normal, lobe.f0, lobe.roughness_x, lobe.roughness_y});
+  return numbers;
+}
+
+std::vector<LobeInputs> lobes_of(const std::vector<std::int64_t>& numbers) {
+  std::vector<LobeInputs> lobes;
+  for (std::size_t i = 0; i < numbers.size(); i += 4)
+    lobes.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
+  return lobes;
+}
+
+/// A problem of fields whose first planes lie in the same order as its tensors.
+struct Laid {
+  ShadingProblem problem;
+  std::vector<std::size_t> first;  ///< of each tensor, its first field
+};
+
+/// @param view  outlives the result, as the tensors do
+Laid lay_out(const variable_list& tensors, const std::vector<LobeInputs>& lobes, const CaptureView& view,
+             DisplayCurve curve) {
+  const std::int64_t pixels = view.square_radius.numel();
+  Laid laid;
+  const float* direction = view.direction.data_ptr<float>();
+  laid.problem.direction = {direction, direction + pixels, direction + 2 * pixels};
+  laid.problem.inverse_square_distance = view.inverse_square_distance.data_ptr<float>();
+  laid.problem.square_radius = view.square_radius.data_ptr<float>();
+  laid.problem.light = *tensors[Inputs::kLight].data_ptr<float>();
+  laid.problem.vignette_sigma = *tensors[Inputs::kVignetteSigma].data_ptr<float>();
+  laid.problem.curve = curve;
+  laid.first.resize(tensors.size());
+  for (std::size_t t = Inputs::kBaseColor; t < tensors.size(); ++t) {
+    laid.first[t] = laid.problem.fields.size();
+    const at::Tensor& tensor = tensors[t];
+    const std::int64_t planes = tensor.dim() == 3 ? 3 : 1, step = tensor.numel() / planes;
+    for (std::int64_t k = 0; k < planes; ++k)
+      laid.problem.fields.push_back({tensor.data_ptr<float>() + k * step, step == 1});
+  }
+  const auto field = [&](std::int64_t tensor) { return laid.first[static_cast<std::size_t>(tensor)]; };
+  for (const LobeInputs& lobe : lobes)
+    laid.problem.lobes.push_back(
+        {field(lobe.normal), field(lobe.f0), field(lobe.roughness_x), field(lobe.roughness_y)});
+  return laid;
+}
+
+Planes planes_of(const at::Tensor& image) {
+  float* data = image.data_ptr<float>();
+  const std::int64_t pixels = image.size(1) * image.size(2);
+  return {data, data + pixels, data + 2 * pixels};
+}
+
+/// Calls f(block, begin, end) for each block of pixels, on all of the thread's tensor threads.
+template <class F>
+void over_blocks(std::int64_t pixels, const F& f) {
+  at::parallel_for(0, (pixels + kBlock - 1) / kBlock, 1, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t block = first; block < last; ++block)
+      f(block, block * kBlock, std::min(pixels, (block + 1) * kBlock));
+  });
+}
+
+CaptureView view_of(double size_cm, double camera_cm, std::int64_t resolution) {
+  return capture_view({size_cm, camera_cm}, static_cast<int>(resolution), at::kFloat);
+}
+
+/// Gradient tensors of the inputs that want one, and the kernel's view of a block of them.
+class InputGradients {
+ public:
+  InputGradients(AutogradContext& context, const variable_list& tensors, const Laid& laid)
+      : laid_(laid), gradients_(tensors.size()) {
+    for (std::size_t t = 0; t < tensors.size(); ++t)
+      if (context.needs_input_grad(t)) gradients_[t] = at::empty_like(tensors[t]);
+  }
+
+  /// @param sums  one for each field
+  ShadingGradient block(std::vector<double>& sums) const {
+    ShadingGradient gradient;
+    gradient.fields.resize(laid_.problem.fields.size());
+    for_each_field([&](std::size_t field, float* data, bool uniform) {
+      (uniform ? void(gradient.fields[field].sum = &sums[field]) : void(gradient.fields[field].plane = data));
+    });
+    return gradient;
+  }
+
+  void set_uniform(const std::vector<double>& sums, double light, double vignette_sigma) {
+    for_each_field([&](std::size_t field, float* data, bool uniform) {
+      if (uniform) *data = static_cast<float>(sums[field]);
+    });
+    set(Inputs::kLight, light);
+    set(Inputs::kVignetteSigma, vignette_sigma);
+  }
+
+  variable_list take() { return std::move(gradients_); }
+
+ private:
+  template <class F>
+  void for_each_field(const F& f) const {
+    for (std::size_t t = Inputs::kBaseColor; t < gradients_.size(); ++t) {
+      if (!gradients_[t].defined()) continue;
+      const std::int64_t planes = gradients_[t].dim() == 3 ? 3 : 1, step = gradients_[t].numel() / planes;
+      for (std::int64_t k = 0; k < planes; ++k)
+        f(laid_.first[t] + static_cast<std::size_t>(k), gradients_[t].data_ptr<float>() + k * step, step == 1);
+    }
+  }
+
+  void set(std::int64_t t, double value) {
+    if (const at::Tensor& gradient = gradients_[static_cast<std::size_t>(t)]; gradient.defined())
+      *gradient.data_ptr<float>() = static_cast<float>(value);
+  }
+
+  const Laid& laid_;
+  variable_list gradients_;
+};
+
+struct Photograph : torch::autograd::Function<Photograph> {
+  static at::Tensor forward(AutogradContext* context, at::TensorList inputs,
+                            const std::vector<std::int64_t>& lobes, double size_cm, double camera_cm,
+                            std::int64_t resolution, std::int64_t curve) {
+    const variable_list tensors = inputs.vec();
+    const CaptureView view = view_of(size_cm, camera_cm, resolution);
+    const Laid laid = lay_out(tensors, lobes_of(lobes), view, static_cast<DisplayCurve>(curve));
+    const at::Tensor image = at::empty({3, resolution, resolution}, tensors.front().options());
+    const Planes planes = planes_of(image);
+    over_blocks(resolution * resolution, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+      shade_pixels(laid.problem, begin, end, planes);
+    });
+    context->save_for_backward(tensors);
+    context->saved_data["lobes"] = lobes;
+    context->saved_data["size_cm"] = size_cm;
+    context->saved_data["camera_cm"] = camera_cm;
+    context->saved_data["resolution"] = resolution;
+    context->saved_data["curve"] = curve;
+    return image;
+  }
+
+  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
+    auto& saved = context->saved_data;
+    const variable_list tensors = context->get_saved_variables();
+    const CaptureView view = view_of(saved["size_cm"].toDouble(), saved["camera_cm"].toDouble(),
+                                     saved["resolution"].toInt());
+    const Laid laid = lay_out(tensors, lobes_of(saved["lobes"].toIntVector()), view,
+                              static_cast<DisplayCurve>(saved["curve"].toInt()));
+    const at::Tensor image_gradient = outputs.front().contiguous();
+    const Planes planes = planes_of(image_gradient);
+
+    InputGradients gradients(*context, tensors, laid);
+    const std::int64_t pixels = view.square_radius.numel(), blocks = (pixels + kBlock - 1) / kBlock;
+    const std::size_t fields = laid.problem.fields.size();
+    // A block's sums stand for themselves until all are done: the total does not depend on the threads.
+    std::vector<std::vector<double>> sums(static_cast<std::size_t>(blocks), std::vector<double>(fields + 2));
+    over_blocks(pixels, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+      std::vector<double>& own = sums[static_cast<std::size_t>(block)];
+      ShadingGradient gradient = gradients.block(own);
+      shade_pixels_backward(laid.problem, begin, end, {planes[0], planes[1], planes[2]}, gradient);
+      own[fields] = gradient.light;
+      own[fields + 1] = gradient.vignette_sigma;
+    });
+    std::vector<double> total(fields + 2);
+    for (const std::vector<double>& block : sums)
+      for (std::size_t f = 0; f < total.size(); ++f) total[f] += block[f];
+    gradients.set_uniform(total, total[fields], total[fields + 1]);
+
+    variable_list result = gradients.take();
+    result.resize(result.size() + 5);  // nothing for the arguments that are no tensors
+    return result;
+  }
+};
+
+}  // namespace
+
+at::Tensor photograph(const Surface& surface, const Capture& capture, int resolution, DisplayCurve curve) {
+  if (surface.light.scalar_type() != at::kFloat) return display(shade(surface, capture, resolution), curve);
+  const Inputs inputs = collect(surface);
+  return Photograph::apply(at::TensorList(inputs.tensors), flat(inputs.lobes), capture.size_cm, capture.camera_cm,
+                           static_cast<std::int64_t>(resolution), static_cast<std::int64_t>(curve));
+}
+
+}  // namespace patina

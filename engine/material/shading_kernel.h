@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "engine/material/capture.h"
+
+namespace patina {
+
+/// One number a pixel, or one for all of them.
+struct Field {
+  const float* data;
+  bool uniform;
+};
+
+/// Where a kernel puts the derivative by a Field: a plane, or a sum where the field is uniform; nullptr where
+/// nobody asks.
+struct FieldGradient {
+  float* plane = nullptr;
+  double* sum = nullptr;
+};
+
+/// Where a lobe's numbers lie among the fields: the first of three of normal and f0.
+struct LobeFields {
+  std::size_t normal, f0, roughness_x, roughness_y;
+  bool isotropic() const { return roughness_x == roughness_y; }
+};
+
+/// A surface and the light on it as flat arrays of pixels, for shade() and display() (shading.h) in one pass
+/// without a tensor in between.
+struct ShadingProblem {
+  std::array<const float*, 3> direction;
+  const float* inverse_square_distance;
+  const float* square_radius;
+  float light, vignette_sigma;
+  DisplayCurve curve;
+  static constexpr std::size_t kBaseColor = 0, kNormal = 3, kLobes = 6;
+  std::vector<Field> fields;  ///< base_color, normal, then what the lobes point at
+  std::vector<LobeFields> lobes;
+};
+
+constexpr std::size_t kMostFields = 48;
+
+struct ShadingGradient {
+  std::vector<FieldGradient> fields;  ///< as ShadingProblem::fields
+  double light = 0, vignette_sigma = 0;
+};
+
+using Planes = std::array<float*, 3>;
+using ConstPlanes = std::array<const float*, 3>;
+
+/// Pixels begin ... end - 1 of display(shade(surface)).
+void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& image);
+
+/// The gradient of a scalar by everything in the problem, given that by the image: planes are written, sums
+/// added to.
+void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
+                           const ConstPlanes& image_gradient, ShadingGradient& gradient);
+
+}  // namespace patina

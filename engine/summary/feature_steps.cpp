@@ -1,0 +1,116 @@
+#include "engine/summary/feature_steps.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/Context.h>
+#include <ATen/ops/conv2d.h>
+#include <ATen/ops/empty.h>
+#include <ATen/ops/mkldnn_convolution.h>
+#include <ATen/ops/relu.h>
+#include <torch/csrc/autograd/custom_function.h>
+
+#include <stdexcept>
+
+#include "engine/summary/feature_kernel.h"
+
+namespace patina {
+namespace {
+
+using torch::autograd::AutogradContext;
+using torch::autograd::variable_list;
+
+constexpr auto kChannelsLast = at::MemoryFormat::ChannelsLast;
+
+at::Tensor empty_map(const at::Tensor& like, std::int64_t channels, std::int64_t rows, std::int64_t columns) {
+  return at::empty({1, channels, rows, columns}, like.options().memory_format(kChannelsLast));
+}
+
+features::Shape shape_of(const at::Tensor& x) { return {x.size(2), x.size(3), x.size(1)}; }
+
+/// Left to itself, the library takes small maps apart by a slow path that leaves channels-last.
+at::Tensor library_convolution(const at::Tensor& x, const at::Tensor& weight, const at::Tensor& bias,
+                               std::int64_t padding) {
+  if (at::globalContext().hasMKLDNN() && at::globalContext().userEnabledMkldnn())
+    return at::mkldnn_convolution(x, weight, bias, {padding, padding}, {1, 1}, {1, 1}, 1);
+  return at::conv2d(x, weight, bias, 1, padding);
+}
+
+at::Tensor reflected(const at::Tensor& x, std::int64_t border) {
+  if (border >= x.size(2) || border >= x.size(3))
+    throw std::invalid_argument("a feature map is too small to be continued by reflection");
+  const at::Tensor wider = empty_map(x, x.size(1), x.size(2) + 2 * border, x.size(3) + 2 * border);
+  features::reflect(x.data_ptr<float>(), shape_of(x), border, wider.data_ptr<float>());
+  return wider;
+}
+
+struct Convolve : torch::autograd::Function<Convolve> {
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& map, const at::Tensor& weight,
+                            const at::Tensor& bias, const at::Tensor& mirrored, bool relu, bool reflect) {
+    const at::Tensor x = map.contiguous(kChannelsLast);
+    const std::int64_t border = weight.size(2) / 2;
+    const bool by_reflection = reflect && border > 0;
+    at::Tensor y =
+        library_convolution(by_reflection ? reflected(x, border) : x, weight, bias, by_reflection ? 0 : border);
+    if (relu) y.relu_();
+    y = y.contiguous(kChannelsLast);
+    context->save_for_backward({mirrored, relu ? y : at::Tensor()});
+    context->saved_data["border"] = by_reflection ? border : 0;
+    return y;
+  }
+
+  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
+    const variable_list saved = context->get_saved_variables();
+    const at::Tensor &mirrored = saved[0], &y = saved[1];
+    at::Tensor gradient = outputs.front().contiguous(kChannelsLast);
+    if (y.defined()) {
+      const at::Tensor through = empty_map(gradient, y.size(1), y.size(2), y.size(3));
+      features::rectify_backward(gradient.data_ptr<float>(), y.data_ptr<float>(), y.numel(),
+                                 through.data_ptr<float>());
+      gradient = through;
+    }
+    const std::int64_t border = context->saved_data["border"].toInt(), reach = mirrored.size(2) / 2;
+    // With padding the adjoint keeps the size; without, it gives back the border that the map lost.
+    const at::Tensor by_input = library_convolution(gradient, mirrored, {}, border > 0 ? 2 * reach : reach);
+    if (border == 0) return {by_input, {}, {}, {}, {}, {}};
+    const at::Tensor by_map = empty_map(gradient, by_input.size(1), gradient.size(2), gradient.size(3));
+    const at::Tensor dense = by_input.contiguous(kChannelsLast);
+    features::reflect_backward(dense.data_ptr<float>(), shape_of(by_map), border, by_map.data_ptr<float>());
+    return {by_map, {}, {}, {}, {}, {}};
+  }
+};
+
+struct AveragePool : torch::autograd::Function<AveragePool> {
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& map) {
+    const at::Tensor x = map.contiguous(kChannelsLast);
+    const at::Tensor half = empty_map(x, x.size(1), x.size(2) / 2, x.size(3) / 2);
+    features::halve(x.data_ptr<float>(), shape_of(x), half.data_ptr<float>());
+    context->saved_data["rows"] = x.size(2);
+    context->saved_data["columns"] = x.size(3);
+    return half;
+  }
+
+  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
+    const at::Tensor gradient = outputs.front().contiguous(kChannelsLast);
+    const at::Tensor by_map = empty_map(gradient, gradient.size(1), context->saved_data["rows"].toInt(),
+                                        context->saved_data["columns"].toInt());
+    features::halve_backward(gradient.data_ptr<float>(), shape_of(by_map), by_map.data_ptr<float>());
+    return {by_map};
+  }
+};
+
+}  // namespace
+
+FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, bool with_relu, bool by_reflection)
+    : weight(w),
+      bias(b),
+      mirrored(w.flip({2, 3}).transpose(0, 1).contiguous()),
+      relu(with_relu),
+      reflect(by_reflection) {}
+
+at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x) {
+  return Convolve::apply(x, convolution.weight, convolution.bias, convolution.mirrored, convolution.relu,
+                         convolution.reflect);
+}
+
+at::Tensor average_pool(const at::Tensor& x) { return AveragePool::apply(x); }
+
+}  // namespace patina

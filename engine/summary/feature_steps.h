@@ -1,0 +1,27 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+namespace patina {
+
+/// A convolution of a feature map with its frozen weights, prepared for both directions.
+struct FrozenConvolution {
+  at::Tensor weight;    ///< [out, in, k, k], k odd
+  at::Tensor bias;      ///< [out]
+  at::Tensor mirrored;  ///< [in, out, k, k]: the convolution that takes gradients back
+  bool relu = true;
+  bool reflect = true;  ///< padding by reflection, not with zeros; either keeps the size
+
+  FrozenConvolution(const at::Tensor& weight, const at::Tensor& bias, bool relu, bool reflect);
+};
+
+// The steps of a network on a feature map [1, channels, h, w] float32, channels last; differentiable once, by the
+// map alone. Each is one pass over memory where tensor operations would take several.
+
+/// [ReLU] (weight * x + bias).
+at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x);
+
+/// Means of 2 x 2 blocks, stride 2; an odd last row or column is dropped.
+at::Tensor average_pool(const at::Tensor& x);
+
+}  // namespace patina

@@ -1,0 +1,131 @@
+// The passes over pixels against the same formulae as tensor operations.
+#include "engine/material/photograph.h"
+
+#include <ATen/Context.h>
+#include <ATen/Parallel.h>
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/rand.h>
+#include <ATen/ops/randn.h>
+#include <ATen/ops/tensor.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/material/heightfield.h"
+#include "engine/material/shading.h"
+#include "tests/material/materials_fixture.h"
+
+namespace patina {
+namespace {
+
+double largest(const at::Tensor& difference) { return difference.abs().max().item<double>(); }
+
+at::Tensor unit(const at::Tensor& vectors) { return vectors / vectors.square().sum(0).sqrt(); }
+
+/// A surface on which nothing is constant that need not be: planes of every input, normals of their own, both
+/// kinds of lobe, some pixels dark, some too bright.
+struct Planes {
+  static constexpr int n = 37;  // no multiple of a vector's length
+  at::ScalarType type;
+  std::vector<at::Tensor> leaves;
+
+  explicit Planes(at::ScalarType t) : type(t) {}
+
+  at::Tensor leaf(const at::Tensor& values) {
+    leaves.push_back(values.to(at::kFloat).to(type).detach().clone().set_requires_grad(true));
+    return leaves.back();
+  }
+  at::Tensor random_normal(double tilt) {
+    const at::Tensor up = at::tensor({0.0, 0.0, 1.0}, at::kDouble).view({3, 1, 1});
+    return unit(up + tilt * at::randn({3, n, n}, at::kDouble));
+  }
+
+  Surface make() {
+    at::manual_seed(5);
+    Surface surface;
+    surface.light = leaf(at::tensor(4000.0, at::kDouble));
+    surface.vignette_sigma = leaf(at::tensor(9.0, at::kDouble));
+    surface.base_color = leaf(at::rand({3, n, n}, at::kDouble).square());
+    surface.normal = leaf(random_normal(0.4));
+    const auto roughness = [&] { return leaf(at::rand({n, n}, at::kDouble) * 0.5 + 0.25); };
+    const at::Tensor shared = roughness();
+    surface.lobes.push_back({surface.normal, leaf(at::tensor({0.04}, at::kDouble)), shared, shared});
+    surface.lobes.push_back({leaf(random_normal(0.2)), leaf(at::tensor({0.1, 0.5, 0.3}, at::kDouble)), roughness(),
+                             roughness()});
+    const at::Tensor scalar = leaf(at::tensor(0.4, at::kDouble));
+    surface.lobes.push_back({leaf(random_normal(0.1)), leaf(at::rand({3, n, n}, at::kDouble)), scalar, scalar});
+    return surface;
+  }
+};
+
+TEST(Photograph, EqualsShadingByTensorOperations) {
+  for (const DisplayCurve curve : {DisplayCurve::srgb, DisplayCurve::gamma22}) {
+    Planes fast(at::kFloat), precise(at::kDouble);
+    const at::Tensor once = photograph(fast.make(), Capture{}, Planes::n, curve);
+    const at::Tensor again = display(shade(precise.make(), Capture{}, Planes::n), curve);
+    EXPECT_LT(largest(once - again), 1e-5);
+    EXPECT_GT(again.std().item<double>(), 0.1);  // neither black nor white
+    EXPECT_GT((again > 0.9999).sum().item<int>(), 10);
+  }
+}
+
+TEST(Photograph, HasTheGradientThatDifferentiatingTensorOperationsGives) {
+  Planes fast(at::kFloat), precise(at::kDouble);
+  const at::Tensor weights = at::randn({3, Planes::n, Planes::n}, at::kDouble);
+  (photograph(fast.make(), Capture{}, Planes::n, DisplayCurve::srgb) * weights.to(at::kFloat)).sum().backward();
+  (display(shade(precise.make(), Capture{}, Planes::n), DisplayCurve::srgb) * weights).sum().backward();
+  ASSERT_EQ(fast.leaves.size(), precise.leaves.size());
+  for (std::size_t i = 0; i < fast.leaves.size(); ++i) {
+    const at::Tensor &once = fast.leaves[i].grad(), &again = precise.leaves[i].grad();
+    EXPECT_GT(largest(again), 0) << i;
+    EXPECT_LT(largest(once - again), 2e-4 * largest(again)) << i;
+  }
+}
+
+TEST(Photograph, BuildsNoGraphForWhatAsksForNoGradient) {
+  Planes planes(at::kFloat);
+  Surface surface = planes.make();
+  for (at::Tensor& leaf : planes.leaves) leaf.set_requires_grad(false);
+  EXPECT_FALSE(photograph(surface, Capture{}, Planes::n, DisplayCurve::srgb).requires_grad());
+  surface.light.set_requires_grad(true);
+  photograph(surface, Capture{}, Planes::n, DisplayCurve::srgb).sum().backward();
+  EXPECT_TRUE(surface.light.grad().defined());
+  EXPECT_FALSE(surface.normal.grad().defined());
+}
+
+TEST(Photograph, EqualsItselfOnAnyNumberOfThreads) {
+  const auto bump = make_material("bump");
+  std::mt19937 random(3);
+  const std::vector<double> at = inside_box(bump->table(), random);
+  const auto gradient = [&](int threads) {
+    const int before = at::get_num_threads();
+    at::set_num_threads(threads);
+    const at::Tensor position = tensor_of(at, at::kFloat).set_requires_grad(true);
+    photograph(bump->surface(position, {}, shared_irregularities(), Capture{}, 200), Capture{}, 200,
+               DisplayCurve::srgb)
+        .mean()
+        .backward();
+    at::set_num_threads(before);
+    return position.grad();
+  };
+  // The heightfield's transform is the library's, which may add up in another order.
+  EXPECT_LT(largest((gradient(1) - gradient(2)) / gradient(1)), 1e-4);
+}
+
+TEST(Normals, InOnePassEqualThoseByTensorOperationsAndSoDoTheirGradients) {
+  at::manual_seed(2);
+  for (const std::int64_t n : {16, 33}) {
+    const at::Tensor height = at::randn({n + 1, n + 1}, at::kDouble) * 0.05;
+    const at::Tensor weights = at::randn({3, n, n}, at::kDouble);
+    const at::Tensor fast = height.to(at::kFloat).set_requires_grad(true);
+    const at::Tensor precise = height.clone().set_requires_grad(true);
+    const at::Tensor once = open_normals(fast, 0.11), again = open_normals_by_tensors(precise, 0.11);
+    EXPECT_LT(largest(once - again), 1e-6);
+    (once * weights.to(at::kFloat)).sum().backward();
+    (again * weights).sum().backward();
+    EXPECT_LT(largest(fast.grad() - precise.grad()), 1e-5 * largest(precise.grad()));
+  }
+}
+
+}  // namespace
+}  // namespace patina

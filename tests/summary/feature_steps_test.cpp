@@ -1,0 +1,90 @@
+// The network's steps, each with a backward pass of its own, against the library's operations and their
+// differentiation.
+#include "engine/summary/feature_steps.h"
+
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/avg_pool2d.h>
+#include <ATen/ops/conv2d.h>
+#include <ATen/ops/reflection_pad2d.h>
+#include <ATen/ops/relu.h>
+#include <ATen/ops/stack.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "engine/summary/gram.h"
+#include "tests/summary/network_files.h"
+
+namespace patina {
+namespace {
+
+using Step = std::function<at::Tensor(const at::Tensor&)>;
+
+/// Both values and both gradients of a weighted sum of the output are the same to float32's rounding.
+void expect_same_step(const Step& once, const Step& again, const at::Tensor& x, const std::string& what) {
+  const at::Tensor a = x.clone().set_requires_grad(true), b = x.clone().set_requires_grad(true);
+  const at::Tensor ya = once(a), yb = again(b);
+  ASSERT_EQ(ya.sizes(), yb.sizes()) << what;
+  const auto apart = [](const at::Tensor& p, const at::Tensor& q) {
+    return ((p - q).abs().max() / q.abs().max()).item<double>();
+  };
+  EXPECT_LT(apart(ya, yb), 1e-5) << what;
+  const at::Tensor weights = random_tensor(ya.sizes().vec(), 9);
+  (ya * weights).sum().backward();
+  (yb * weights).sum().backward();
+  EXPECT_LT(apart(a.grad(), b.grad()), 1e-5) << what;
+}
+
+TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
+  for (const std::int64_t kernel : {1, 3, 5})
+    for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{6, 9}, {12, 12}, {64, 63}})
+      for (const bool relu : {true, false})
+        for (const bool reflect : {true, false}) {
+          const at::Tensor weight = random_tensor({5, 4, kernel, kernel}, 1), bias = random_tensor({5}, 2);
+          const FrozenConvolution convolution(weight, bias, relu, reflect);
+          const std::int64_t pad = kernel / 2;
+          const Step library = [&](const at::Tensor& x) {
+            const at::Tensor padded = reflect && pad > 0 ? at::reflection_pad2d(x, {pad, pad, pad, pad}) : x;
+            const at::Tensor y = at::conv2d(padded, weight, bias, 1, reflect ? 0 : pad);
+            return relu ? at::relu(y) : y;
+          };
+          expect_same_step([&](const at::Tensor& x) { return convolve(convolution, x); }, library,
+                           random_tensor({1, 4, rows, columns}, 3),
+                           std::to_string(kernel) + " on " + std::to_string(rows) + " x " +
+                               std::to_string(columns) + (relu ? ", relu" : "") + (reflect ? ", reflect" : ""));
+        }
+}
+
+TEST(FeatureSteps, PoolingEqualsTheLibrarysAtEvenAndOddSizes) {
+  for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{8, 6}, {7, 9}, {2, 3}})
+    expect_same_step([](const at::Tensor& x) { return average_pool(x); },
+                     [](const at::Tensor& x) { return at::avg_pool2d(x, {2, 2}); },
+                     random_tensor({1, 5, rows, columns}, 4), std::to_string(rows) + " rows");
+}
+
+TEST(FeatureSteps, AMapTooSmallToReflectIsRefused) {
+  const FrozenConvolution wide(random_tensor({2, 3, 5, 5}, 1), random_tensor({2}, 2), true, true);
+  EXPECT_THROW(convolve(wide, random_tensor({1, 3, 2, 8}, 3)), std::invalid_argument);
+}
+
+TEST(FeatureSteps, GramVectorHasTheGradientThatDifferentiatingTheProductGives) {
+  const Step plain = [](const at::Tensor& features) {
+    const at::Tensor flat = features.reshape({features.size(0), -1});
+    const at::Tensor gram = flat.matmul(flat.t()) / static_cast<double>(flat.size(1));
+    std::vector<at::Tensor> entries;
+    for (std::int64_t i = 0; i < gram.size(0); ++i)
+      for (std::int64_t j = i; j < gram.size(0); ++j) entries.push_back(gram[i][j] * (i == j ? 1 : std::sqrt(2.0)));
+    return at::stack(entries);
+  };
+  const at::Tensor features = random_tensor({6, 7, 9}, 5);
+  expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain, features, "rows of channels");
+  expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain,
+                   features.unsqueeze(0).contiguous(at::MemoryFormat::ChannelsLast).squeeze(0), "channels last");
+}
+
+}  // namespace
+}  // namespace patina
