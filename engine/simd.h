@@ -79,7 +79,8 @@ PATINA_INLINE Lanes exp(const Lanes& exponent) {
   return p * scale;
 }
 
-/// log(x) for normal positive x; error below 2e-7 of the larger of |log x| and 1. Polynomial of Cephes (logf).
+/// log(x) for normal positive x; error below 2e-7 of the larger of |log x| and 1. Polynomial of Cephes
+/// (logf).
 PATINA_INLINE Lanes log(const Lanes& x) {
   Bits bits;
   std::memcpy(&bits, &x, sizeof bits);

@@ -14,6 +14,7 @@ struct RunFactory {
   std::function<std::unique_ptr<DrawSource>(
       const RunSettings&, const Photo&, const std::filesystem::path& directory, std::function<void()> wake)>
       start = start_run;
+  decltype(start) resume = resume_run;
   std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory)> open = open_run;
 };
 

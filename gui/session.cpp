@@ -1,5 +1,6 @@
 #include "gui/session.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -112,6 +113,22 @@ void Session::resume() {
 
 void Session::stop() {
   if (source_) source_->stop();
+}
+
+bool Session::can_go_on() const {
+  const bool ended = status_.phase == RunPhase::finished || status_.phase == RunPhase::stopped;
+  return source_ && ended && source_->can_control() && photo_ && !source_->settings().map_only;
+}
+
+void Session::go_on() {
+  assert(can_go_on());
+  RunSettings settings = source_->settings();
+  const bool some_left = std::ranges::any_of(status_.chains, [&](const ChainStatus& chain) {
+    return chain.iteration < settings.warmup + settings.draws;
+  });
+  if (!some_left && !status_.chains.empty()) settings.draws *= 2;
+  settings.stop.ess = settings.stop.rhat = 0;
+  adopt(factory_.resume(settings, *photo_, source_->directory(), wake_));
 }
 
 void Session::poll() {

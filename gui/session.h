@@ -50,6 +50,12 @@ class Session {
   void resume();
   void stop();
 
+  /// Whether there is a run of this window that ended and can be gone on with.
+  bool can_go_on() const;
+  /// Draws on in the run that ended: for as long again if it ended before all its draws were made, else as
+  /// many more as it had. Its goals of quality no longer end it. @throws UserError
+  void go_on();
+
   /// Takes in what arrived since the last call. @throws UserError once if the run directory became unreadable
   void poll();
 

@@ -96,8 +96,7 @@ void FitOptions::add_stop_rules(CLI::App& command) {
   add_rule("--minutes", &StopRules::minutes, "End after so many minutes, search included (0: no limit)");
   add_rule("--ess", &StopRules::ess,
            "End when every identified parameter has so many effective draws, bulk and tail (0: do not ask)");
-  add_rule("--rhat", &StopRules::rhat,
-           "and no identified parameter's R-hat is above this (0: do not ask)");
+  add_rule("--rhat", &StopRules::rhat, "and no identified parameter's R-hat is above this (0: do not ask)");
 }
 
 void FitOptions::set_start(RunSettings& settings) const {

@@ -38,8 +38,8 @@ Signature Flake::signature() {
           {"scale", "shift_x", "shift_y"}};
 }
 
-Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z, const Capture&,
-                       int resolution) const {
+Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,
+                       const Capture&, int resolution) const {
   const at::Tensor top_f0 = p.run(1, 1), top_rough = p[2], flake_f0 = p.run(3, 3);
   const at::Tensor flake_rough = p[6], flake_ndf = p[7], scale = p[8], shift_x = p[9], shift_y = p[10];
   const at::Tensor weight = p[11], glow_rough = p[12], glow_f0 = p.run(13, 3);

@@ -40,8 +40,9 @@ struct OpenNormals : torch::autograd::Function<OpenNormals> {
     const std::int64_t n = height.size(-1) - 1;
     const at::Tensor gradient = at::zeros_like(height);
     const float* by_normal = normal_gradient.data_ptr<float>();
-    normals_backward(height.data_ptr<float>(), static_cast<float>(1 / context->saved_data["pixel_cm"].toDouble()),
-                     n, {by_normal, by_normal + n * n, by_normal + 2 * n * n}, gradient.data_ptr<float>());
+    normals_backward(height.data_ptr<float>(),
+                     static_cast<float>(1 / context->saved_data["pixel_cm"].toDouble()), n,
+                     {by_normal, by_normal + n * n, by_normal + 2 * n * n}, gradient.data_ptr<float>());
     return {gradient, {}};
   }
 };
@@ -51,7 +52,8 @@ struct OpenNormals : torch::autograd::Function<OpenNormals> {
 at::Tensor heightfield_normals(const at::Tensor& height, double pixel_cm) {
   // The row above has the larger y.
   const std::int64_t n = height.size(0);
-  return open_normals(at::pad(height.view({1, 1, n, n}), {0, 1, 1, 0}, "circular").view({n + 1, n + 1}), pixel_cm);
+  return open_normals(at::pad(height.view({1, 1, n, n}), {0, 1, 1, 0}, "circular").view({n + 1, n + 1}),
+                      pixel_cm);
 }
 
 at::Tensor open_normals(const at::Tensor& height, double pixel_cm) {

@@ -57,7 +57,8 @@ PATINA_VECTORISED void normals_backward(const float* height, float per_pixel, st
       const int count = lanes_from(column, n);
       const std::ptrdiff_t at = row * (n + 1) + column, i = row * n + column;
       const Slopes s = slopes(height + at, height + at + n + 1, per_pixel, count);
-      const Lanes gx = simd::load(normal_gradient[0] + i, count), gy = simd::load(normal_gradient[1] + i, count),
+      const Lanes gx = simd::load(normal_gradient[0] + i, count),
+                  gy = simd::load(normal_gradient[1] + i, count),
                   gz = simd::load(normal_gradient[2] + i, count);
       // What lies along the normal does not turn it.
       const Lanes along = (gz - gx * s.x - gy * s.y) * s.inverse_length * s.inverse_length;

@@ -8,8 +8,8 @@
 
 namespace patina {
 
-/// The continuous parameters of a material in the table's order, each a scalar tensor of its own: gradients flow
-/// to those that ask for one, and for the others no graph is built.
+/// The continuous parameters of a material in the table's order, each a scalar tensor of its own: gradients
+/// flow to those that ask for one, and for the others no graph is built.
 class ParameterTensors {
  public:
   ParameterTensors(std::vector<at::Tensor> scalars) : scalars_(std::move(scalars)) {}

@@ -158,7 +158,8 @@ class InputGradients {
       if (!gradients_[t].defined()) continue;
       const std::int64_t planes = gradients_[t].dim() == 3 ? 3 : 1, step = gradients_[t].numel() / planes;
       for (std::int64_t k = 0; k < planes; ++k)
-        f(laid_.first[t] + static_cast<std::size_t>(k), gradients_[t].data_ptr<float>() + k * step, step == 1);
+        f(laid_.first[t] + static_cast<std::size_t>(k), gradients_[t].data_ptr<float>() + k * step,
+          step == 1);
     }
   }
 
@@ -195,8 +196,8 @@ struct Photograph : torch::autograd::Function<Photograph> {
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     auto& saved = context->saved_data;
     const variable_list tensors = context->get_saved_variables();
-    const CaptureView view = view_of(saved["size_cm"].toDouble(), saved["camera_cm"].toDouble(),
-                                     saved["resolution"].toInt());
+    const CaptureView view =
+        view_of(saved["size_cm"].toDouble(), saved["camera_cm"].toDouble(), saved["resolution"].toInt());
     const Laid laid = lay_out(tensors, lobes_of(saved["lobes"].toIntVector()), view,
                               static_cast<DisplayCurve>(saved["curve"].toInt()));
     const at::Tensor image_gradient = outputs.front().contiguous();
@@ -230,8 +231,9 @@ struct Photograph : torch::autograd::Function<Photograph> {
 at::Tensor photograph(const Surface& surface, const Capture& capture, int resolution, DisplayCurve curve) {
   if (surface.light.scalar_type() != at::kFloat) return display(shade(surface, capture, resolution), curve);
   const Inputs inputs = collect(surface);
-  return Photograph::apply(at::TensorList(inputs.tensors), flat(inputs.lobes), capture.size_cm, capture.camera_cm,
-                           static_cast<std::int64_t>(resolution), static_cast<std::int64_t>(curve));
+  return Photograph::apply(at::TensorList(inputs.tensors), flat(inputs.lobes), capture.size_cm,
+                           capture.camera_cm, static_cast<std::int64_t>(resolution),
+                           static_cast<std::int64_t>(curve));
 }
 
 }  // namespace patina

@@ -128,8 +128,9 @@ PATINA_INLINE void check(const ShadingProblem& problem) {
 }
 
 /// The gradient by the fields at sixteen pixels, with the lamp's share.
-PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels, const Colour& image_gradient,
-                                 std::array<Lanes, kMostFields>& by, Lanes& by_light, Lanes& by_sigma) {
+PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels,
+                                 const Colour& image_gradient, std::array<Lanes, kMostFields>& by,
+                                 Lanes& by_light, Lanes& by_sigma) {
   const Irradiance light = irradiance(problem, pixels);
   const Lanes facing = dot(pixels, ShadingProblem::kNormal);
   const Lanes cosine = simd::clamp(facing, kSmallestCosine, 1);

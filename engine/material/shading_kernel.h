@@ -51,7 +51,8 @@ using Planes = std::array<float*, 3>;
 using ConstPlanes = std::array<const float*, 3>;
 
 /// Pixels begin ... end - 1 of display(shade(surface)).
-void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& image);
+void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
+                  const Planes& image);
 
 /// The gradient of a scalar by everything in the problem, given that by the image: planes are written, sums
 /// added to.

@@ -25,7 +25,7 @@ class ParameterSpace {
   const ParameterTable& table() const { return table_; }  ///< with the priors in force
   Eigen::Index dimension() const { return static_cast<Eigen::Index>(free_.size()); }
   std::vector<int> discrete_levels() const;
-  std::vector<bool> jagged() const;  ///< of the free continuous ones
+  std::vector<bool> jagged() const;                               ///< of the free continuous ones
   const std::vector<std::size_t>& free() const { return free_; }  ///< their indices into table().continuous
 
   ParameterValues values(const Position& position) const;

@@ -65,7 +65,8 @@ struct Posterior::Parts {
 
   /// Summary of the render at parameter values, with its graph.
   at::Tensor summary_at(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    const Surface surface = material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
+    const Surface surface =
+        material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
     return (*summary)(photograph(surface, settings.capture, settings.resolution, DisplayCurve::srgb));
   }
 

@@ -40,6 +40,7 @@ struct Manifest {
   RunPhase phase = RunPhase::starting;  ///< starting, searching, sampling (warm-up included) or how it ended
   std::string reason;                   ///< one sentence, once it ended
   std::optional<MapPoint> map;
+  std::vector<MapPoint> basins;  ///< all that the search ended in, best first; the first is the map
   RunTimes seconds;
   std::optional<StopEvidence> evidence;  ///< of the last judgement, where stop rules ask for quality
 };

@@ -143,8 +143,7 @@ std::optional<StopEvidence> evidence(const Json& json) {
   return evidence;
 }
 
-std::optional<MapPoint> map_point(const Json& json, const ParameterTable& table) {
-  if (json.is_null()) return std::nullopt;
+MapPoint map_point(const Json& json, const ParameterTable& table) {
   MapPoint map;
   const Json& lp = field(json, "lp");
   map.lp = lp.is_null() ? -std::numeric_limits<double>::infinity() : number(json, "lp");
@@ -195,7 +194,9 @@ Manifest manifest(const Json& json) {
   m.mean_sigma = positive(field(json, "error_model"), "mean_sigma");
   m.phase = phase(json);
   m.reason = text(json, "reason");
-  m.map = map_point(field(json, "map"), m.table);
+  if (const Json& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
+  if (json.contains("basins"))
+    for (const Json& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));
   if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
   if (json.contains("evidence")) m.evidence = evidence(json["evidence"]);
   return m;

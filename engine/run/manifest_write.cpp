@@ -42,15 +42,21 @@ Json settings_json(const RunSettings& s) {
           {"stop", {{"minutes", s.stop.minutes}, {"ess", s.stop.ess}, {"rhat", s.stop.rhat}}}};
 }
 
-Json map_json(const Manifest& manifest) {
-  if (!manifest.map) return nullptr;
+Json point_json(const MapPoint& point, const ParameterTable& table) {
   Json values = Json::object();
-  const ParameterTable& table = manifest.table;
   for (std::size_t i = 0; i < table.continuous.size(); ++i)
-    values[table.continuous[i].name] = manifest.map->values.continuous[i];
+    values[table.continuous[i].name] = point.values.continuous[i];
   for (std::size_t i = 0; i < table.discrete.size(); ++i)
-    values[table.discrete[i].name] = manifest.map->values.discrete[i];
-  return {{"values", values}, {"lp", number(manifest.map->lp)}};
+    values[table.discrete[i].name] = point.values.discrete[i];
+  return {{"values", values}, {"lp", number(point.lp)}};
+}
+
+Json map_json(const Manifest& m) { return m.map ? point_json(*m.map, m.table) : Json(nullptr); }
+
+Json basins_json(const Manifest& m) {
+  Json basins = Json::array();
+  for (const MapPoint& basin : m.basins) basins.push_back(point_json(basin, m.table));
+  return basins;
 }
 
 Json evidence_json(const std::optional<StopEvidence>& evidence) {
@@ -81,6 +87,7 @@ std::string to_json(const Manifest& m) {
       {"network_sha256", m.network_sha256},
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
       {"map", map_json(m)},
+      {"basins", basins_json(m)},
       {"seconds",
        {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
       {"evidence", evidence_json(m.evidence)}};

@@ -1,6 +1,7 @@
 #include "engine/run/mode_search.h"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "engine/error.h"
@@ -20,6 +21,15 @@ void report(RunShared& shared, const Posterior& posterior, double fraction, cons
     status.best = posterior.values(best);
     status.best_lp = lp;
   });
+}
+
+/// "found a match, the next best 12.3 nats behind".
+std::string basins_in_words(const std::vector<OptimizerResult>& basins) {
+  if (basins.size() < 2) return "found a match";
+  char text[64];
+  std::snprintf(text, sizeof text, "found a match, the next best %.1f nats behind",
+                basins[0].evaluation.log_density - basins[1].evaluation.log_density);
+  return text;
 }
 
 }  // namespace
@@ -47,14 +57,21 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
     report(shared, posterior, fraction, best, lp);
   };
   Rng rng(settings.seed, 0);
-  const OptimizerResult best = search_map(targets, rng, search).best;
+  const MapSearchResult result = search_map(targets, rng, search);
+  const OptimizerResult& best = result.best;
   if (!std::isfinite(best.evaluation.log_density))
     throw UserError("No parameters render to anything comparable with the photo: check the priors.");
   report(shared, posterior, 1, best.position, best.evaluation.log_density);
-  shared.edit_status([](RunStatus& status) { status.message = "measuring how far good matches spread"; });
+  shared.edit_status([&](RunStatus& status) {
+    status.message = basins_in_words(result.basins) + ", measuring how far good matches spread";
+  });
   const LogDensity& target = *targets.back();
-  return {{best.position, best.evaluation},
-          std::make_shared<const Metric>(laplace_covariance(target, best.position))};
+  ModeFound found{{best.position, best.evaluation},
+                  std::make_shared<const Metric>(laplace_covariance(target, best.position)),
+                  {}};
+  for (const OptimizerResult& basin : result.basins)
+    found.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
+  return found;
 }
 
 }  // namespace patina

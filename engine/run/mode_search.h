@@ -5,6 +5,7 @@
 
 #include "engine/posterior/posterior.h"
 #include "engine/run/chain.h"
+#include "engine/run/manifest.h"
 #include "engine/run/run_shared.h"
 #include "engine/sampling/map_search.h"
 
@@ -17,6 +18,7 @@ std::vector<int> pyramid(int resolution);
 struct ModeFound {
   ChainState mode;
   std::shared_ptr<const Metric> laplace;  ///< covariance of the normal approximation at the mode
+  std::vector<MapPoint> basins;           ///< that the search ended in, best first; empty when recalled
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so

@@ -13,7 +13,8 @@ using Json = nlohmann::json;
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
 Json identity(const Manifest& manifest) {
   Json json = Json::parse(to_json(manifest));
-  for (const char* progress : {"phase", "reason", "map", "seconds", "evidence"}) json.erase(progress);
+  for (const char* progress : {"phase", "reason", "map", "basins", "seconds", "evidence"})
+    json.erase(progress);
   json["photo"].erase("warnings");
   for (const char* free : {"draws", "map_only", "stop"}) json["settings"].erase(free);
   json["settings"].erase("network");  // its checksum counts, not where it lies

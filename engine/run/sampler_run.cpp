@@ -120,6 +120,7 @@ void SamplerRun::take_up() {
   found_ = read_mode(directory_, run_key_, *posteriors_.front());
   record_ = read_warmup(directory_, run_key_, *posteriors_.front());
   manifest_.map = made.map;
+  manifest_.basins = made.basins;
   manifest_.seconds = made.seconds;
 }
 
@@ -179,6 +180,7 @@ void SamplerRun::run_to_the_end() {
   const ModeFound found = find_or_recall();
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
+  if (!found.basins.empty()) manifest_.basins = found.basins;
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(found);

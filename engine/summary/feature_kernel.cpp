@@ -26,17 +26,18 @@ PATINA_INLINE int lanes_from(std::ptrdiff_t channel, std::ptrdiff_t channels) {
   return static_cast<int>(std::min<std::ptrdiff_t>(channels - channel, simd::kLanes));
 }
 
-/// Sixteen numbers from a place in a map, or as many as are left of it. Those that belong to the next pixel do no
-/// harm to who ignores them, and reading them is faster than stopping before.
+/// Sixteen numbers from a place in a map, or as many as are left of it. Those that belong to the next pixel
+/// do no harm to who ignores them, and reading them is faster than stopping before.
 PATINA_INLINE simd::Lanes load_along(const float* from, const float* end) {
   const std::ptrdiff_t left = end - from;
-  return left >= simd::kLanes ? simd::load(from, simd::kLanes) : simd::load_or_zero(from, static_cast<int>(left));
+  return left >= simd::kLanes ? simd::load(from, simd::kLanes)
+                              : simd::load_or_zero(from, static_cast<int>(left));
 }
 
 /// Products of `rows` channels from i on with sixteen from j on, added up over pixels.
 template <int rows>
-PATINA_INLINE void add_products(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, std::ptrdiff_t i,
-                                std::ptrdiff_t j, const float* end, double* to) {
+PATINA_INLINE void add_products(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels,
+                                std::ptrdiff_t i, std::ptrdiff_t j, const float* end, double* to) {
   simd::Lanes sums[rows] = {};
   for (const float* pixel = x; pixel < x + pixels * channels; pixel += channels) {
     const simd::Lanes right = load_along(pixel + j, end);
@@ -55,7 +56,8 @@ PATINA_VECTORISED void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_
   for (std::ptrdiff_t begin = 0; begin < pixels; begin += kBlock)
     for (std::ptrdiff_t j = 0; j < channels; j += simd::kLanes) {
       const float* from = x + begin * channels;
-      const std::ptrdiff_t some = std::min(pixels - begin, kBlock), last = std::min(channels, j + simd::kLanes);
+      const std::ptrdiff_t some = std::min(pixels - begin, kBlock),
+                           last = std::min(channels, j + simd::kLanes);
       std::ptrdiff_t i = 0;  // the upper triangle, and what else is in its squares
       for (; i + kRows <= last; i += kRows) add_products<kRows>(from, some, channels, i, j, end, sums.data());
       for (; i < last; ++i) add_products<1>(from, some, channels, i, j, end, sums.data());
@@ -66,8 +68,8 @@ PATINA_VECTORISED void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_
           static_cast<float>(sums[static_cast<std::size_t>(i * channels + j)] / static_cast<double>(pixels));
 }
 
-PATINA_VECTORISED void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix,
-                             float* to) {
+PATINA_VECTORISED void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels,
+                             const float* matrix, float* to) {
   const std::ptrdiff_t tiles = (channels + simd::kLanes - 1) / simd::kLanes, width = tiles * simd::kLanes;
   std::vector<float> padded(static_cast<std::size_t>(channels * width));
   for (std::ptrdiff_t i = 0; i < channels; ++i)
@@ -104,7 +106,8 @@ void reflect(const float* x, Shape shape, std::ptrdiff_t border, float* to) {
     float* line = to + (row + border) * columns * c;
     std::memcpy(line + border * c, from, static_cast<std::size_t>(shape.columns * pixel));
     for (std::ptrdiff_t k = 1; k <= border; ++k) {
-      std::memcpy(line + (border - k) * c, from + source(-k, shape.columns) * c, static_cast<std::size_t>(pixel));
+      std::memcpy(line + (border - k) * c, from + source(-k, shape.columns) * c,
+                  static_cast<std::size_t>(pixel));
       const std::ptrdiff_t beyond = shape.columns - 1 + k;
       std::memcpy(line + (border + beyond) * c, from + source(beyond, shape.columns) * c,
                   static_cast<std::size_t>(pixel));
@@ -112,7 +115,8 @@ void reflect(const float* x, Shape shape, std::ptrdiff_t border, float* to) {
   }
 }
 
-PATINA_VECTORISED void reflect_backward(const float* gradient, Shape shape, std::ptrdiff_t border, float* to) {
+PATINA_VECTORISED void reflect_backward(const float* gradient, Shape shape, std::ptrdiff_t border,
+                                        float* to) {
   const std::ptrdiff_t c = shape.channels, columns = shape.columns + 2 * border;
   for (std::ptrdiff_t row = 0; row < shape.rows; ++row)
     std::memcpy(to + row * shape.columns * c, gradient + ((row + border) * columns + border) * c,
@@ -158,7 +162,8 @@ PATINA_VECTORISED void halve_backward(const float* gradient, Shape shape, float*
   }
 }
 
-PATINA_VECTORISED void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size, float* to) {
+PATINA_VECTORISED void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size,
+                                        float* to) {
   for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = y[i] > 0 ? gradient[i] : 0;
 }
 

@@ -1,7 +1,7 @@
 #include "engine/summary/feature_steps.h"
 
-#include <ATen/TensorOperators.h>
 #include <ATen/Context.h>
+#include <ATen/TensorOperators.h>
 #include <ATen/ops/conv2d.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/mkldnn_convolution.h>
@@ -48,8 +48,8 @@ struct Convolve : torch::autograd::Function<Convolve> {
     const at::Tensor x = map.contiguous(kChannelsLast);
     const std::int64_t border = weight.size(2) / 2;
     const bool by_reflection = reflect && border > 0;
-    at::Tensor y =
-        library_convolution(by_reflection ? reflected(x, border) : x, weight, bias, by_reflection ? 0 : border);
+    at::Tensor y = library_convolution(by_reflection ? reflected(x, border) : x, weight, bias,
+                                       by_reflection ? 0 : border);
     if (relu) y.relu_();
     y = y.contiguous(kChannelsLast);
     context->save_for_backward({mirrored, relu ? y : at::Tensor()});
@@ -99,7 +99,8 @@ struct AveragePool : torch::autograd::Function<AveragePool> {
 
 }  // namespace
 
-FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, bool with_relu, bool by_reflection)
+FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, bool with_relu,
+                                     bool by_reflection)
     : weight(w),
       bias(b),
       mirrored(w.flip({2, 3}).transpose(0, 1).contiguous()),

@@ -15,8 +15,8 @@ struct FrozenConvolution {
   FrozenConvolution(const at::Tensor& weight, const at::Tensor& bias, bool relu, bool reflect);
 };
 
-// The steps of a network on a feature map [1, channels, h, w] float32, channels last; differentiable once, by the
-// map alone. Each is one pass over memory where tensor operations would take several.
+// The steps of a network on a feature map [1, channels, h, w] float32, channels last; differentiable once, by
+// the map alone. Each is one pass over memory where tensor operations would take several.
 
 /// [ReLU] (weight * x + bias).
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x);

@@ -30,8 +30,8 @@ Triangle upper_triangle(std::int64_t channels, at::ScalarType type) {
   return {upper[0] * channels + upper[1], at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(type)};
 }
 
-/// Up to so many channels our own products are faster than a BLAS, which is made for matrices that are large both
-/// ways (bench-summary).
+/// Up to so many channels our own products are faster than a BLAS, which is made for matrices that are large
+/// both ways (bench-summary).
 constexpr std::int64_t kFewChannels = 96;
 
 bool is_small(const at::Tensor& pixels) {
@@ -50,8 +50,8 @@ at::Tensor gram_matrix(const at::Tensor& pixels) {
 at::Tensor product(const at::Tensor& pixels, const at::Tensor& matrix) {
   if (!is_small(pixels)) return at::mm(pixels, matrix);
   const at::Tensor result = at::empty_like(pixels);
-  features::times(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), matrix.contiguous().data_ptr<float>(),
-                  result.data_ptr<float>());
+  features::times(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1),
+                  matrix.contiguous().data_ptr<float>(), result.data_ptr<float>());
   return result;
 }
 
@@ -59,7 +59,8 @@ at::Tensor product(const at::Tensor& pixels, const at::Tensor& matrix) {
 struct GramVector : torch::autograd::Function<GramVector> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& features) {
     const std::int64_t channels = features.size(0);
-    const at::Tensor pixels = features.permute({1, 2, 0}).reshape({-1, channels}).contiguous();  // no copy if channels last
+    const at::Tensor pixels =
+        features.permute({1, 2, 0}).reshape({-1, channels}).contiguous();  // no copy if channels last
     context->save_for_backward({pixels});
     context->saved_data["rows"] = features.size(1);
     const Triangle triangle = upper_triangle(channels, features.scalar_type());

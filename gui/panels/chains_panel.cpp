@@ -120,6 +120,11 @@ void draw_buttons(const PanelContext& context) {
                               : "Another program is making this run; watch it here.");
     return;
   }
+  if (session.can_go_on()) {
+    if (ImGui::Button("Continue", {-1, 0})) context.commands.push_back([&session] { session.go_on(); });
+    tooltip("Draw on in this run; what was drawn is kept");
+    return;
+  }
   const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   ImGui::BeginDisabled(is_over(phase));
   const bool paused = phase == RunPhase::paused;

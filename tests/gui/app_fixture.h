@@ -36,6 +36,11 @@ class AppTest : public ::testing::Test {
                            const std::filesystem::path& directory, auto) {
       return std::make_unique<FakeSource>(run_, settings, table_, photo.image, directory);
     };
+    factory.resume = [this](const RunSettings& settings, const Photo& photo,
+                            const std::filesystem::path& directory, auto) {
+      run_->status.phase = RunPhase::sampling;
+      return std::make_unique<FakeSource>(run_, settings, table_, photo.image, directory);
+    };
     factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
         throw UserError("There is no run in this directory; open another one.");

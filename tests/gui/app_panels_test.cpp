@@ -41,8 +41,10 @@ TEST_F(AppPanels, PauseResumeAndStopReachTheRun) {
   EXPECT_EQ(run_->resumes, 1);
   click(foot(layout().chains, 0.75f));
   EXPECT_EQ(run_->stops, 1);
+  EXPECT_TRUE(app_.session().can_go_on());
   click(foot(layout().chains, 0.75f));
   EXPECT_EQ(run_->stops, 1) << "a run that has ended cannot be stopped again";
+  EXPECT_EQ(app_.session().status().phase, RunPhase::sampling) << "it was continued";
 }
 
 TEST_F(AppPanels, SpacePausesAndResumes) {

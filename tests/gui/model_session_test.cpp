@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "engine/error.h"
@@ -38,6 +39,11 @@ class SessionTest : public ::testing::Test {
       started_ = settings;
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
+    factory.resume = [this](const RunSettings& settings, const Photo& photo,
+                            const std::filesystem::path& directory, auto) {
+      resumed_ = settings;
+      return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
+    };
     factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
         throw UserError("There is no run in " + directory.string() + ".");
@@ -51,6 +57,7 @@ class SessionTest : public ::testing::Test {
   std::filesystem::path photo_ = folder_.path() / "oak door.png";
   std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();
   RunSettings started_;
+  std::optional<RunSettings> resumed_;
   bool refuse_ = false;
   Session session_{factory(), folder_.path() / "runs", {}};
 };
@@ -68,6 +75,29 @@ TEST_F(SessionTest, StartsARunOfTheChosenMaterialInADirectoryNamedAfterThePhoto)
   const auto directory = session_.run().directory();
   EXPECT_EQ(directory.parent_path(), folder_.path() / "runs");
   EXPECT_TRUE(directory.filename().string().starts_with("oak door-leather-")) << directory;
+}
+
+TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
+  session_.open(photo_);
+  session_.start();
+  run_->status.phase = RunPhase::sampling;
+  session_.poll();
+  EXPECT_FALSE(session_.can_go_on());
+  const auto directory = session_.run().directory();
+  run_->status.phase = RunPhase::finished;
+  run_->status.chains = {{.iteration = 100}, {.iteration = started_.warmup + started_.draws}};
+  session_.poll();
+  ASSERT_TRUE(session_.can_go_on());
+  session_.go_on();
+  EXPECT_EQ(session_.run().directory(), directory);
+  EXPECT_EQ(resumed_->draws, started_.draws) << "one chain has draws to make";
+  EXPECT_EQ(resumed_->stop.rhat, 0);
+  EXPECT_EQ(resumed_->stop.minutes, started_.stop.minutes);
+
+  run_->status.chains = {{.iteration = started_.warmup + started_.draws}};
+  session_.poll();
+  session_.go_on();
+  EXPECT_EQ(resumed_->draws, 2 * started_.draws);
 }
 
 TEST_F(SessionTest, TakesInEveryDrawOnce) {

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <thread>
 
-#include "engine/material/shading.h"
 #include "engine/material/look_up.h"
+#include "engine/material/shading.h"
 #include "materials_fixture.h"
 
 namespace patina {

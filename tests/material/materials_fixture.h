@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/material/material.h"
-#include "engine/material/registry.h"
 #include "engine/material/photograph.h"
+#include "engine/material/registry.h"
 
 namespace patina {
 
@@ -38,7 +38,8 @@ inline at::Tensor render(const Material& material, const at::Tensor& parameters,
                          DisplayCurve curve = DisplayCurve::srgb,
                          const Irregularities& z = shared_irregularities()) {
   const Capture capture;
-  return photograph(material.surface(parameters, discrete, z, capture, resolution), capture, resolution, curve);
+  return photograph(material.surface(parameters, discrete, z, capture, resolution), capture, resolution,
+                    curve);
 }
 
 }  // namespace patina

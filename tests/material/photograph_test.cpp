@@ -50,10 +50,11 @@ struct Planes {
     const auto roughness = [&] { return leaf(at::rand({n, n}, at::kDouble) * 0.5 + 0.25); };
     const at::Tensor shared = roughness();
     surface.lobes.push_back({surface.normal, leaf(at::tensor({0.04}, at::kDouble)), shared, shared});
-    surface.lobes.push_back({leaf(random_normal(0.2)), leaf(at::tensor({0.1, 0.5, 0.3}, at::kDouble)), roughness(),
-                             roughness()});
+    surface.lobes.push_back(
+        {leaf(random_normal(0.2)), leaf(at::tensor({0.1, 0.5, 0.3}, at::kDouble)), roughness(), roughness()});
     const at::Tensor scalar = leaf(at::tensor(0.4, at::kDouble));
-    surface.lobes.push_back({leaf(random_normal(0.1)), leaf(at::rand({3, n, n}, at::kDouble)), scalar, scalar});
+    surface.lobes.push_back(
+        {leaf(random_normal(0.1)), leaf(at::rand({3, n, n}, at::kDouble)), scalar, scalar});
     return surface;
   }
 };
@@ -72,7 +73,9 @@ TEST(Photograph, EqualsShadingByTensorOperations) {
 TEST(Photograph, HasTheGradientThatDifferentiatingTensorOperationsGives) {
   Planes fast(at::kFloat), precise(at::kDouble);
   const at::Tensor weights = at::randn({3, Planes::n, Planes::n}, at::kDouble);
-  (photograph(fast.make(), Capture{}, Planes::n, DisplayCurve::srgb) * weights.to(at::kFloat)).sum().backward();
+  (photograph(fast.make(), Capture{}, Planes::n, DisplayCurve::srgb) * weights.to(at::kFloat))
+      .sum()
+      .backward();
   (display(shade(precise.make(), Capture{}, Planes::n), DisplayCurve::srgb) * weights).sum().backward();
   ASSERT_EQ(fast.leaves.size(), precise.leaves.size());
   for (std::size_t i = 0; i < fast.leaves.size(); ++i) {

@@ -1,5 +1,5 @@
-#include "engine/material/shading.h"
 #include "engine/material/renderer.h"
+#include "engine/material/shading.h"
 
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/from_blob.h>

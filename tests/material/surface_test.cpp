@@ -10,9 +10,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/material/shading.h"
 #include "engine/material/gaussian_heightfield.h"
 #include "engine/material/heightfield.h"
+#include "engine/material/shading.h"
 #include "materials_fixture.h"
 
 namespace patina {

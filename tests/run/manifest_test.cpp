@@ -38,6 +38,7 @@ class ManifestTest : public FolderTest {
     m.seconds = {0.1 + 0.2, {1, 2}, {3, 4.5}};
     m.evidence = StopEvidence{1200, "rough", 123.456, "light", 1.0123};
     m.map = MapPoint{{{1.0 / 3, 0.25}, {1}}, -12.345678901234567};
+    m.basins = {*m.map, MapPoint{{{2.0 / 3, 0.125}, {0}}, -23.5}};
     return m;
   }
 
@@ -61,6 +62,9 @@ TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   ASSERT_TRUE(r.map);
   EXPECT_EQ(r.map->values, m.map->values);
   EXPECT_EQ(r.map->lp, m.map->lp);
+  ASSERT_EQ(r.basins.size(), 2u);
+  EXPECT_EQ(r.basins[1].values, m.basins[1].values);
+  EXPECT_EQ(r.basins[1].lp, -23.5);
 }
 
 TEST_F(ManifestTest, AMapWithoutDensityIsNotAMapAtZero) {

@@ -109,6 +109,16 @@ TEST_F(SamplerRunTest, MapOnlyFindsAMatchAndDrawsNothing) {
   EXPECT_FALSE(std::filesystem::exists(directory() / "chain-1.csv"));
 }
 
+TEST_F(SamplerRunTest, WhereTheSearchEndedIsWrittenDownTheBestFirst) {
+  RunSettings asked = settings();
+  asked.map_only = true;
+  draws_to_the_end(*start(asked));
+  const Manifest manifest = read_manifest(directory());
+  ASSERT_FALSE(manifest.basins.empty());
+  EXPECT_EQ(manifest.basins.front().values, manifest.map->values);
+  for (const MapPoint& basin : manifest.basins) EXPECT_LE(basin.lp, manifest.map->lp);
+}
+
 TEST_F(SamplerRunTest, ABestPointIsShownWhileTheSearchGoesOn) {
   const auto run = start(settings());
   bool early = false;

@@ -55,14 +55,17 @@ TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
           expect_same_step([&](const at::Tensor& x) { return convolve(convolution, x); }, library,
                            random_tensor({1, 4, rows, columns}, 3),
                            std::to_string(kernel) + " on " + std::to_string(rows) + " x " +
-                               std::to_string(columns) + (relu ? ", relu" : "") + (reflect ? ", reflect" : ""));
+                               std::to_string(columns) + (relu ? ", relu" : "") +
+                               (reflect ? ", reflect" : ""));
         }
 }
 
 TEST(FeatureSteps, PoolingEqualsTheLibrarysAtEvenAndOddSizes) {
   for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{8, 6}, {7, 9}, {2, 3}})
     expect_same_step([](const at::Tensor& x) { return average_pool(x); },
-                     [](const at::Tensor& x) { return at::avg_pool2d(x, {2, 2}); },
+                     [](const at::Tensor& x) {
+                       return at::avg_pool2d(x, {2, 2});
+                     },
                      random_tensor({1, 5, rows, columns}, 4), std::to_string(rows) + " rows");
 }
 
@@ -77,13 +80,15 @@ TEST(FeatureSteps, GramVectorHasTheGradientThatDifferentiatingTheProductGives) {
     const at::Tensor gram = flat.matmul(flat.t()) / static_cast<double>(flat.size(1));
     std::vector<at::Tensor> entries;
     for (std::int64_t i = 0; i < gram.size(0); ++i)
-      for (std::int64_t j = i; j < gram.size(0); ++j) entries.push_back(gram[i][j] * (i == j ? 1 : std::sqrt(2.0)));
+      for (std::int64_t j = i; j < gram.size(0); ++j)
+        entries.push_back(gram[i][j] * (i == j ? 1 : std::sqrt(2.0)));
     return at::stack(entries);
   };
   const at::Tensor features = random_tensor({6, 7, 9}, 5);
   expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain, features, "rows of channels");
   expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain,
-                   features.unsqueeze(0).contiguous(at::MemoryFormat::ChannelsLast).squeeze(0), "channels last");
+                   features.unsqueeze(0).contiguous(at::MemoryFormat::ChannelsLast).squeeze(0),
+                   "channels last");
 }
 
 }  // namespace
