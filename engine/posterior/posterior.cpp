@@ -153,6 +153,14 @@ Position Posterior::position(const ParameterValues& values) const { return parts
 
 Evaluation Posterior::evaluate(const Position& position) const { return parts_->evaluate(position, false); }
 
+Evaluation Posterior::value(const Position& position) const {
+  if (!position.continuous.allFinite()) return outside_support(dimension());
+  const at::NoGradGuard no_grad;
+  const ParameterValues values = parts_->space.values(position);
+  const at::Tensor misfit = parts_->misfit(parts_->leaves(values, false), values.discrete);
+  return {-0.5 * position.continuous.squaredNorm() - misfit.item<double>(), {}};
+}
+
 Evaluation Posterior::evaluate_with_whole_gradient(const Position& position) const {
   return parts_->evaluate(position, true);
 }

@@ -18,6 +18,10 @@ class ControlledDensity final : public LogDensity {
     control_.checkpoint();
     return target_.evaluate(position);
   }
+  Evaluation value(const Position& position) const override {
+    control_.checkpoint();
+    return target_.value(position);
+  }
 
  private:
   const LogDensity& target_;

@@ -32,7 +32,7 @@ struct RunSettings {
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   int warmup = 1500;
-  int draws = 4000;       ///< per chain, after warm-up, at most: `stop` may end a run before
+  int draws = 10000;      ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;     ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.75;  ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   double path_length = 1.5;  ///< of hmc's trajectories, in standard deviations (kernels.h)

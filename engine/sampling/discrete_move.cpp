@@ -1,4 +1,3 @@
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -22,11 +21,9 @@ class DiscreteMove final : public Kernel {
     proposal.position.discrete = propose_(target.discrete_levels(), state.position.discrete, rng);
     if (proposal.position.discrete == state.position.discrete) return stay(state);
 
-    proposal.evaluation = evaluate_finite(target, proposal.position);
+    proposal.evaluation = value_finite(target, proposal.position);
     const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
-    // However far a level falls short, nothing diverged: it is just a bad level.
-    constexpr double kNeverDivergent = std::numeric_limits<double>::infinity();
-    return metropolis_step(MoveKind::discrete, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
+    return metropolis_step_by_value(MoveKind::discrete, log_ratio, target, std::move(proposal), state, rng);
   }
 
   double target_acceptance() const override { return 0; }

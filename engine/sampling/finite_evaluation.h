@@ -8,4 +8,7 @@ namespace patina {
 /// finite, the value is -infinity and the gradient zero. What the target throws passes through.
 Evaluation evaluate_finite(const LogDensity& target, const Position& position);
 
+/// The same of target.value(position), whose gradient may be empty.
+Evaluation value_finite(const LogDensity& target, const Position& position);
+
 }  // namespace patina

@@ -38,6 +38,10 @@ class LogDensity {
   virtual std::vector<bool> jagged() const { return {}; }
 
   virtual Evaluation evaluate(const Position& position) const = 0;
+
+  /// The value alone: the gradient may be left empty where it costs extra. Moves that need no gradient ask
+  /// for this.
+  virtual Evaluation value(const Position& position) const { return evaluate(position); }
 };
 
 }  // namespace patina

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -53,18 +52,17 @@ class RefreshMove final : public Kernel {
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
     constexpr double kSmallestShare = 0.1;  // of a fresh draw in the proposal
-    constexpr double kDivergentFall = std::numeric_limits<double>::infinity();  // a bad draw is no divergence
     ChainState proposal{state.position, {}};
     const Indices moved = choose_coordinates(target, *settings.metric, rng);
     const double fresh = std::pow(kSmallestShare, rng.uniform());
     const Eigen::VectorXd here = state.position.continuous(moved);
     const Eigen::VectorXd there = std::sqrt(1 - fresh * fresh) * here + fresh * rng.normals(here.size());
     proposal.position.continuous(moved) = there;
-    proposal.evaluation = evaluate_finite(target, proposal.position);
+    proposal.evaluation = value_finite(target, proposal.position);
     // The proposal is reversible with respect to N(0, I), whatever the share.
     const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density +
                              0.5 * (there.squaredNorm() - here.squaredNorm());
-    return metropolis_step(MoveKind::refresh, log_ratio, kDivergentFall, std::move(proposal), state, rng);
+    return metropolis_step_by_value(MoveKind::refresh, log_ratio, target, std::move(proposal), state, rng);
   }
 
   double target_acceptance() const override { return 0; }

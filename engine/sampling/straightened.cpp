@@ -19,6 +19,9 @@ class StraightenedTarget final : public LogDensity {
   Evaluation evaluate(const Position& y) const override {
     return map_.density_of_y(y.continuous, target_.evaluate({map_.bend(y.continuous), y.discrete}));
   }
+  Evaluation value(const Position& y) const override {
+    return map_.density_of_y(y.continuous, target_.value({map_.bend(y.continuous), y.discrete}));
+  }
 
  private:
   const LogDensity& target_;

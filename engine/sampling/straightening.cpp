@@ -135,6 +135,7 @@ Eigen::VectorXd Straightening::bend(const Eigen::VectorXd& y) const {
 
 Evaluation Straightening::density_of_y(const Eigen::VectorXd& y, const Evaluation& of_x) const {
   const double lead = y[lead_];
+  if (of_x.gradient.size() == 0) return {of_x.log_density + log_width(lead).sum(), {}};
   const Eigen::VectorXd width = log_width(lead).array().exp(), widening = log_width_slope(lead);
   Evaluation of_y{of_x.log_density + log_width(lead).sum(), of_x.gradient.cwiseProduct(width)};
   of_y.gradient[lead_] +=

@@ -34,6 +34,7 @@ class Straightening {
   Eigen::VectorXd bend(const Eigen::VectorXd& y) const;        ///< x
 
   /// The log density of y, |dx/dy| included, and its gradient there, from that of x; and back.
+  /// An empty gradient stays empty.
   Evaluation density_of_y(const Eigen::VectorXd& y, const Evaluation& of_x) const;
   Evaluation density_of_x(const Eigen::VectorXd& y, const Evaluation& of_y) const;
 
