@@ -1,0 +1,58 @@
+#include "resources/networks/recipe.h"
+
+#include <ATen/ops/from_blob.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "engine/material/registry.h"
+#include "engine/material/renderer.h"
+#include "engine/posterior/prior_transform.h"
+
+namespace patina {
+namespace {
+
+ParameterValues values(const Recipe& recipe, const ParameterTable& table) {
+  ParameterValues values{{}, recipe.levels};
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    values.continuous.push_back(
+        PriorTransform(table.continuous[i].prior).value(recipe.coordinates[static_cast<Eigen::Index>(i)]));
+  return values;
+}
+
+}  // namespace
+
+Recipe draw_recipe(const std::string& material, std::uint64_t z_seed, Rng& rng) {
+  const ParameterTable table = material_table(material);
+  Recipe recipe{material, rng.normals(static_cast<Eigen::Index>(table.continuous.size())), {}, z_seed};
+  for (const DiscreteParameter& parameter : table.discrete)
+    recipe.levels.push_back(rng.below(static_cast<int>(parameter.levels.size())));
+  return recipe;
+}
+
+std::vector<at::Tensor> render_all(const std::vector<Recipe>& recipes, int side) {
+  const auto surface = [&](std::size_t i) { return std::tie(recipes[i].material, recipes[i].z_seed); };
+  std::vector<std::size_t> order(recipes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, surface);
+  std::vector<at::Tensor> images(recipes.size());
+  std::optional<Renderer> renderer;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Recipe& recipe = recipes[order[k]];
+    if (k == 0 || surface(order[k]) != surface(order[k - 1]))
+      renderer.emplace(recipe.material, recipe.z_seed, Capture{});
+    images[order[k]] = to_planes(renderer->render(values(recipe, renderer->table()), side));
+  }
+  return images;
+}
+
+at::Tensor to_planes(const Image& image) {
+  auto* pixels = const_cast<float*>(image.pixels.data());
+  return at::from_blob(pixels, {image.height, image.width, image.channels}, at::kFloat)
+      .permute({2, 0, 1})
+      .clone(at::MemoryFormat::Contiguous);
+}
+
+}  // namespace patina
