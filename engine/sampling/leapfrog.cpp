@@ -10,10 +10,12 @@ double energy(const PhasePoint& point) {
 
 void leapfrog(const LogDensity& target, const Metric& metric, double step, PhasePoint& point) {
   ChainState& state = point.state;
-  point.momentum += step / 2 * metric.colour_transposed(state.evaluation.gradient);
+  if (point.pull.size() == 0) point.pull = metric.colour_transposed(state.evaluation.gradient);
+  point.momentum += step / 2 * point.pull;
   state.position.continuous += step * metric.colour(point.momentum);
   state.evaluation = evaluate_finite(target, state.position);
-  point.momentum += step / 2 * metric.colour_transposed(state.evaluation.gradient);
+  point.pull = metric.colour_transposed(state.evaluation.gradient);
+  point.momentum += step / 2 * point.pull;
 }
 
 }  // namespace patina

@@ -16,14 +16,15 @@ constexpr double kDivergentEnergy = 1000;
 struct PhasePoint {
   ChainState state;
   Eigen::VectorXd momentum;
+  Eigen::VectorXd pull = {};  ///< L^T gradient; empty: not known yet. leapfrog() leaves it for the next step
 };
 
 /// The Hamiltonian: -log density + |momentum|^2 / 2; +infinity where there is no density.
 double energy(const PhasePoint& point);
 
 /// One leapfrog step (Stoermer-Verlet) of the given length, negative to go back in time: reversible, volume
-/// preserving, of second order. Makes one evaluation. Should the target throw, `point` is lost but nothing
-/// else.
+/// preserving, of second order. Makes one evaluation. All steps from a point are in one metric. Should the
+/// target throw, `point` is lost but nothing else.
 void leapfrog(const LogDensity& target, const Metric& metric, double step, PhasePoint& point);
 
 }  // namespace patina

@@ -35,6 +35,7 @@ Metric::Metric(const Eigen::MatrixXd& covariance) : covariance_(covariance) {
   if (!covariance.isApprox(covariance.transpose())) throw std::invalid_argument("a metric must be symmetric");
   factor_.compute(covariance_);
   if (factor_.info() != Eigen::Success) throw std::invalid_argument("a metric must be positive definite");
+  conditional_sds_ = precision().diagonal().cwiseSqrt().cwiseInverse();
 }
 
 Metric Metric::identity(Eigen::Index dimension) {
@@ -47,15 +48,18 @@ Eigen::VectorXd Metric::colour_transposed(const Eigen::VectorXd& v) const {
   return factor_.matrixL().transpose() * v;
 }
 
-Eigen::VectorXd Metric::conditional_sds() const {
-  const Eigen::MatrixXd precision = factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
-  return precision.diagonal().cwiseSqrt().cwiseInverse();
+Eigen::MatrixXd Metric::precision() const {
+  return factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
 }
 
-Metric Metric::conditional(const std::vector<Eigen::Index>& coordinates) const {
-  const Eigen::MatrixXd precision = factor_.solve(Eigen::MatrixXd::Identity(dimension(), dimension()));
-  const Eigen::MatrixXd block = precision(coordinates, coordinates).inverse();
-  return Metric((block + block.transpose()) / 2);
+std::shared_ptr<const Metric> Metric::conditional(const std::vector<Eigen::Index>& coordinates) const {
+  const std::lock_guard lock(last_block_->mutex);
+  if (!last_block_->metric || last_block_->coordinates != coordinates) {
+    const Eigen::MatrixXd block = precision()(coordinates, coordinates).inverse();
+    last_block_->metric = std::make_shared<const Metric>((block + block.transpose()) / 2);
+    last_block_->coordinates = coordinates;
+  }
+  return last_block_->metric;
 }
 
 double Metric::inverse_norm2(const Eigen::VectorXd& v) const {

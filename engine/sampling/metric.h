@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -36,14 +38,26 @@ class Metric {
   double inverse_norm2(const Eigen::VectorXd& v) const;               ///< v^T C^-1 v
 
   /// The standard deviation of each coordinate while all others are held.
-  Eigen::VectorXd conditional_sds() const;
+  const Eigen::VectorXd& conditional_sds() const { return conditional_sds_; }
 
-  /// The metric of some coordinates while the others are held: the inverse of their block of C^-1.
-  Metric conditional(const std::vector<Eigen::Index>& coordinates) const;
+  /// The metric of some coordinates while the others are held: the inverse of their block of C^-1. The last
+  /// one that was asked for is kept, since kernels ask in every transition. Safe for several threads at a
+  /// time.
+  std::shared_ptr<const Metric> conditional(const std::vector<Eigen::Index>& coordinates) const;
 
  private:
+  struct LastBlock {
+    std::mutex mutex;
+    std::vector<Eigen::Index> coordinates;
+    std::shared_ptr<const Metric> metric;
+  };
+
+  Eigen::MatrixXd precision() const;
+
   Eigen::MatrixXd covariance_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::VectorXd conditional_sds_;
+  std::shared_ptr<LastBlock> last_block_ = std::make_shared<LastBlock>();  ///< copies may share it
 };
 
 }  // namespace patina

@@ -1,11 +1,11 @@
 #include "engine/sampling/sample.h"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/sample_record.h"
 
 namespace patina {
 namespace {
@@ -50,26 +50,13 @@ KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const Sam
   return frozen;
 }
 
-/// What one chain counts, apart from the others'.
-struct Tally {
-  double accepted = 0;
-  long continuous = 0, evaluations = 0;
-  int divergences = 0;
-};
-
-Tally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k, OneChain& chain, Sample& sample) {
-  Tally tally;
+SampleTally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k, OneChain& chain,
+                 Sample& sample) {
+  SampleTally tally;
   for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
     const TransitionInfo info = kernel.step(target, sample.frozen, chain.state, chain.rng);
-    if (info.move == MoveKind::continuous) tally.accepted += info.accept_probability, ++tally.continuous;
-    tally.divergences += info.divergent;
-    tally.evaluations += info.evaluations;
-    sample.energy(t, k) = info.energy;
-    sample.log_density(t, k) = chain.state.evaluation.log_density;
-    for (std::size_t i = 0; i < sample.coordinates.size(); ++i)
-      sample.coordinates[i](t, k) = chain.state.position.continuous[static_cast<Eigen::Index>(i)];
-    for (std::size_t i = 0; i < sample.levels.size(); ++i)
-      sample.levels[i](t, k) = chain.state.position.discrete[static_cast<Eigen::Index>(i)];
+    tally.add(info);
+    record(sample, t, k, chain.state, info.energy);
   }
   return tally;
 }
@@ -84,19 +71,12 @@ Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettin
     chains.push_back(begin(target, kernel, settings, k, start, shared_metric));
   Sample sample;
   sample.frozen = warm_up(target, kernel, settings, chains);
-  sample.energy.resize(settings.draws, settings.chains);
-  sample.log_density = sample.energy;
-  sample.coordinates.assign(static_cast<std::size_t>(target.dimension()), sample.energy);
-  sample.levels.assign(target.discrete_levels().size(), sample.energy);
-  std::vector<Tally> tallies(chains.size());
+  shape(sample, target, settings);
+  std::vector<SampleTally> tallies(chains.size());
   parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
     tallies[k] = draw(target, kernel, static_cast<Eigen::Index>(k), chains[k], sample);
   });
-  for (const Tally& tally : tallies) {
-    sample.acceptance.push_back(tally.accepted / static_cast<double>(std::max(tally.continuous, 1L)));
-    sample.divergences += tally.divergences;
-    sample.evaluations += tally.evaluations;
-  }
+  add_tallies(sample, tallies);
   return sample;
 }
 

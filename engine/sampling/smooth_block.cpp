@@ -51,8 +51,7 @@ class SmoothBlock final : public Kernel {
                       Rng& rng) const override {
     const Indices smooth = smooth_coordinates(target);
     const Conditional conditional(target, smooth, state.position);
-    const KernelSettings block{settings.step_size,
-                               std::make_shared<const Metric>(settings.metric->conditional(smooth))};
+    const KernelSettings block{settings.step_size, settings.metric->conditional(smooth)};
     ChainState inner{{state.position.continuous(smooth), {}},
                      {state.evaluation.log_density, state.evaluation.gradient(smooth)}};
     const TransitionInfo info = kernel_->step(conditional, block, inner, rng);

@@ -63,7 +63,7 @@ TEST(Metric, gives_each_coordinate_the_room_that_the_others_leave_it) {
   const Metric metric(some_covariance(5));
   const Eigen::VectorXd room = metric.conditional_sds();
   for (Eigen::Index i = 0; i < 5; ++i) {
-    EXPECT_NEAR(room[i] * room[i], metric.conditional({i}).covariance()(0, 0), 1e-12);
+    EXPECT_NEAR(room[i] * room[i], metric.conditional({i})->covariance()(0, 0), 1e-12);
     EXPECT_LT(room[i] * room[i], metric.covariance()(i, i));
   }
 }

@@ -1,0 +1,65 @@
+# cmake --preset sanitize && cmake --build --preset sanitize && ctest --preset sanitize
+#
+# Tests once more, with what they test compiled into them under a sanitizer:
+#   patina_sanitized_test(NAME address|thread SOURCES file... [LIBRARIES library...])
+# is the program test-NAME-asan or test-NAME-tsan, the test NAME-asan or NAME-tsan of the label `sanitize`, and a
+# part of the target `sanitized`. `address` looks for undefined behaviour, too. Libraries, libtorch and its OpenMP
+# among them, are not instrumented: of their own threads and leaks nothing can be said.
+add_custom_target(sanitized)
+
+function(patina_sanitized_test part sanitizer)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  if(sanitizer STREQUAL "address")
+    set(name ${part}-asan)
+    # vptr needs the type information of OpenImageIO's classes, which its library hides.
+    set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-sanitize=vptr)
+    set(environment ASAN_OPTIONS=detect_leaks=0)
+  else()
+    set(name ${part}-tsan)
+    set(flags -fsanitize=thread)
+    set(environment TSAN_OPTIONS=ignore_noninstrumented_modules=1)
+  endif()
+  add_executable(test-${name} ${TEST_SOURCES})
+  target_compile_options(test-${name} PRIVATE ${flags} -O1 -g)
+  target_link_options(test-${name} PRIVATE ${flags})
+  target_link_libraries(test-${name} PRIVATE ${TEST_LIBRARIES} Threads::Threads GTest::gtest GTest::gtest_main)
+  add_test(NAME ${name} COMMAND test-${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 900 LABELS sanitize ENVIRONMENT "${environment}")
+  add_dependencies(sanitized test-${name})
+endfunction()
+
+# With every run of the tests: the parsers of untrusted files, fed with damaged ones; a chain file that two read while
+# it is written; what the threads of a run share.
+set(engine ${CMAKE_SOURCE_DIR}/engine)
+file(GLOB io_sources CONFIGURE_DEPENDS ${engine}/io/*.cpp io_fuzz/*.cpp)
+foreach(part checkpoint pickle safetensors_index tensor_index zip_index)  # they do without libtorch
+  list(APPEND io_sources ${engine}/summary/${part}.cpp)
+endforeach()
+patina_sanitized_test(io address
+  SOURCES ${io_sources} io/images.cpp io/chain_csv_readers_test.cpp summary/checkpoint_files.cpp
+  LIBRARIES nlohmann_json::nlohmann_json PkgConfig::OpenImageIO OpenSSL::Crypto)
+
+file(GLOB thread_sources CONFIGURE_DEPENDS run_tsan/*.cpp ${engine}/io/chain_csv*.cpp)
+foreach(part metric warmup step_size_adaptation straightening natural_spline)
+  list(APPEND thread_sources ${engine}/sampling/${part}.cpp)
+endforeach()
+patina_sanitized_test(run thread
+  SOURCES ${thread_sources} ${engine}/run/warmup_meeting.cpp ${engine}/io/append_file.cpp ${engine}/io/file.cpp
+          io/chain_csv_readers_test.cpp
+  LIBRARIES Eigen3::Eigen OpenSSL::Crypto)
+
+# With the preset `sanitize`, minutes to compile: whole chains on a cheap density, killed and taken up again, out of
+# step, on a full disk.
+if(PATINA_SANITIZE)
+  file(GLOB chain_sources CONFIGURE_DEPENDS ${engine}/sampling/*.cpp ${engine}/io/chain_csv*.cpp)
+  list(FILTER chain_sources EXCLUDE REGEX "(laplace|map_search|sample[^/]*|tempering)\\.cpp$")  # no chain needs them
+  foreach(part chain chain_checkpoint chain_start run_files run_state state_file state_fits threads warmup_meeting)
+    list(APPEND chain_sources ${engine}/run/${part}.cpp)
+  endforeach()
+  foreach(sanitizer address thread)
+    patina_sanitized_test(chains ${sanitizer}
+      SOURCES ${chain_sources} ${engine}/io/append_file.cpp ${engine}/io/file.cpp run/resume_test.cpp
+              run/disturbed_chains_test.cpp
+      LIBRARIES Eigen3::Eigen lbfgs OpenSSL::Crypto ${TORCH_LIBRARIES} ${CMAKE_DL_LIBS})
+  endforeach()
+endif()
