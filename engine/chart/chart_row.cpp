@@ -1,5 +1,6 @@
 #include "engine/chart/chart_row.h"
 
+#include <charconv>
 #include <functional>
 #include <type_traits>
 
@@ -15,10 +16,13 @@ requires std::is_integral_v<Integer> std::string text_of(Integer value) { return
 
 void read_into(const std::string& text, std::string& value) { value = text; }
 void read_into(const std::string& text, double& value) { value = parse_number(text); }
-void read_into(const std::string& text, std::uint64_t& value) { value = std::stoull(text); }
 template <typename Integer>
 requires std::is_integral_v<Integer>
-void read_into(const std::string& text, Integer& value) { value = static_cast<Integer>(parse_number(text)); }
+void read_into(const std::string& text, Integer& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw UserError("'" + text + "' stands in chart.csv where a whole number should: choose another --out.");
+}
 
 /// A column of a table of T.
 template <typename T>

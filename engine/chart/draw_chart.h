@@ -4,17 +4,11 @@
 #include <vector>
 
 #include "engine/chart/chart_points.h"
+#include "engine/chart/chart_title.h"
 #include "engine/chart/scene.h"
 #include "engine/chart/waiting.h"
 
 namespace patina {
-
-/// What stands above a chart.
-struct ChartTitle {
-  std::string target;  ///< what was charted
-  std::string gold;    ///< whether the gold standard is one
-  std::string how;     ///< budget, repeats, machine
-};
 
 /// Cost of an effective draw against error: errors of means, of sds and of whole distributions over seconds,
 /// and that of means over evaluations. Per panel the Pareto front as a line, each point named, the default

@@ -108,4 +108,10 @@ std::vector<ChartSetting> preset_settings(const std::string& preset, const Chart
   throw std::invalid_argument("unknown preset '" + preset + "'");
 }
 
+std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup) {
+  std::erase_if(settings, [](const auto& setting) { return setting.warmup != default_setting().warmup; });
+  for (ChartSetting& setting : settings) setting.warmup = warmup;
+  return settings;
+}
+
 }  // namespace patina

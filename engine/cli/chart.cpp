@@ -28,6 +28,7 @@ struct Options {
   std::uint64_t seed = 1;
   double minutes_per_setting = 0.75, gold_minutes = 3;
   int repeats = 2, draws = 20000;
+  int warmup = 0;  ///< 0: not given
   bool quiet = false;
 };
 
@@ -41,6 +42,8 @@ void check(const Options& options) {
     throw UserError("--repeats must be from 1 to " + std::to_string(kMostRepeats) + ".");
   if (options.draws < 1 || options.draws > kMostIterations)
     throw UserError("--draws must be from 1 to " + std::to_string(kMostIterations) + ".");
+  if (options.warmup < 0 || options.warmup > kMostIterations)
+    throw UserError("--warmup must be from 1 to " + std::to_string(kMostIterations) + ".");
 }
 
 /// The photo, or the render that stands for it.
@@ -65,6 +68,9 @@ int chart(const Options& options) {
   ChartPlan plan = make_plan(preset_settings(options.preset, problem.target()), options.seed,
                              60 * options.minutes_per_setting / options.repeats, options.draws,
                              gold_settings_share, options.draws);
+  if (options.warmup > 0)
+    for (auto* settings : {&plan.settings, &plan.gold.settings})
+      *settings = with_warmup(*settings, options.warmup);
   plan.repeats = options.repeats;
   plan.program = program_version();
   make_chart(problem, plan, options.out, [&](const std::string& line) {
@@ -105,6 +111,10 @@ void add_chart(CLI::App& app, Command& chosen) {
   command.add_option("--repeats", options->repeats, "Repeats of each setting")->capture_default_str();
   command.add_option("--draws", options->draws, "Draws of each chain after warm-up, at most")
       ->capture_default_str();
+  command.add_option(
+      "--warmup", options->warmup,
+      "Warm-up iterations of every chain, those of the gold standard included (default: 1500, and "
+      "settings that have less or more)");
   command.add_option("--resolution", options->run.resolution, "Pixels a side of the target")
       ->capture_default_str();
   command.add_option("--summary", options->run.summary, "Summary of the target (default: the material's)")
