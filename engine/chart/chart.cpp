@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -50,9 +51,11 @@ class Charter {
         directory_(directory),
         progress_(progress),
         fingerprint_(fingerprint(*target_of(problem))),
+        header_(make_header()),
+        there_(find_chart()),
         gold_(find_gold(), problem.names()) {
     tell(gold_text(gold_, plan_.gold));
-    header_ = make_header();
+    add_gold_to_header();
     take_up();
   }
 
@@ -87,17 +90,27 @@ class Charter {
             {"target", problem_.description()},
             {"fingerprint", numbers_text(fingerprint_)},
             {"seed", std::to_string(plan_.trial.seed)},
-            {"limits", limits_text(plan_.trial)},
-            {"gold", gold_text(gold_, plan_.gold)},
-            {"gold_sha256", sha256_hex(read_file(directory_ / "gold" / "gold.csv", std::size_t{256} << 20))}};
+            {"limits", limits_text(plan_.trial)}};
+  }
+
+  void add_gold_to_header() {
+    const std::filesystem::path file = directory_ / "gold" / "gold.csv";
+    header_.emplace_back("gold", gold_text(gold_, plan_.gold));
+    header_.emplace_back("gold_sha256", sha256_hex(read_file(file, std::size_t{256} << 20)));
+  }
+
+  /// The chart that is there. It is refused before anything of it, its gold standard, say, is written over.
+  std::optional<TableFile> find_chart() const {
+    auto table = read_table(directory_ / "chart.csv");
+    if (table) check_same_chart(*table);
+    return table;
   }
 
   /// Rows and curves that are there, but for those of settings that mean something else now.
   void take_up() {
-    const auto table = read_table(directory_ / "chart.csv");
-    if (!table) return;
-    check_same_chart(*table);
-    rows_ = chart_rows(*table);
+    if (!there_) return;
+    check_same_chart(*there_);
+    rows_ = chart_rows(*there_);
     std::erase_if(rows_, [&](const ChartRow& row) {
       return std::ranges::any_of(plan_.settings, [&](const ChartSetting& setting) {
         return setting.name == row.setting.name && setting != row.setting;
@@ -174,8 +187,9 @@ class Charter {
   std::filesystem::path directory_;
   const std::function<void(const std::string&)>& progress_;
   std::vector<double> fingerprint_;
+  std::vector<std::pair<std::string, std::string>> header_;  ///< what makes it this chart
+  std::optional<TableFile> there_;
   GoldStandard gold_;
-  std::vector<std::pair<std::string, std::string>> header_;
   std::vector<ChartRow> rows_;
   std::vector<WaitingCurve> curves_;
 };

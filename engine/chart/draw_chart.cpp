@@ -21,12 +21,14 @@ struct Measure {
 };
 
 constexpr const char* kSeconds = "seconds per effective draw, search and warm-up included";
-constexpr std::array<Measure, 4> kMeasures{
+constexpr std::array<Measure, 5> kMeasures{
     {{&ChartPoint::seconds_per_draw, &ChartPoint::mean, kSeconds, "worst error of a mean / sd"},
      {&ChartPoint::seconds_per_draw, &ChartPoint::sd, kSeconds, "worst |log ratio of sds|"},
      {&ChartPoint::seconds_per_draw, &ChartPoint::wasserstein, kSeconds, "worst Wasserstein-1 distance / sd"},
      {&ChartPoint::evaluations_per_draw, &ChartPoint::mean, "gradient evaluations per effective draw",
-      "worst error of a mean / sd"}}};
+      "worst error of a mean / sd"},
+     {&ChartPoint::seconds_per_draw, &ChartPoint::levels, kSeconds,
+      "worst total variation distance of levels"}}};
 
 struct Plotted {
   const ChartPoint& point;
@@ -115,24 +117,33 @@ std::string missing(const std::vector<ChartPoint>& points) {
   return names.empty() ? "" : "Without draws in its time: " + names + ".";
 }
 
+/// How to read it, below the panels.
+void draw_key(Scene& scene, const std::vector<ChartPoint>& points) {
+  const double bottom = scene.height - 10;
+  add_text(
+      scene, {24, bottom - 17},
+      "Point: median of the repeats, with their range (pale) and the Monte Carlo error (dark). Full: error "
+      "beyond chance, hollow: not. Ring: the default. Grey line: Pareto front.",
+      Anchor::start, 12, kInk);
+  add_text(scene, {24, bottom}, missing(points), Anchor::start, 12, kInk);
+}
+
 }  // namespace
 
 Scene draw_chart(const std::vector<ChartPoint>& points, const ChartTitle& title) {
   constexpr double kLeft = 70, kTop = 102, kWidth = 505, kHeight = 245, kGap = 85, kRowGap = 70;
+  const bool has_levels = std::ranges::any_of(
+      points, [](const ChartPoint& point) { return std::isfinite(point.levels.value.median); });
+  const std::size_t panels = has_levels ? kMeasures.size() : kMeasures.size() - 1;
   Scene scene;
+  scene.height = has_levels ? 1115 : 800;
   draw_title(scene, title, "Speed against accuracy");
-  for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+  for (std::size_t i = 0; i < panels; ++i) {
     const double left = kLeft + static_cast<double>(i % 2) * (kWidth + kGap);
     const double top = kTop + static_cast<double>(i / 2) * (kHeight + kRowGap);
     draw_panel(scene, {left, top, left + kWidth, top + kHeight}, points, kMeasures[i]);
   }
-  const double bottom = scene.height - 44;
-  add_text(scene, {24, bottom + 17},
-           "Point: median of the repeats, with their range (pale) and the Monte Carlo error (dark). Full: "
-           "error beyond "
-           "chance, hollow: not. Ring: the default. Grey line: Pareto front.",
-           Anchor::start, 12, kInk);
-  add_text(scene, {24, bottom + 34}, missing(points), Anchor::start, 12, kInk);
+  draw_key(scene, points);
   return scene;
 }
 

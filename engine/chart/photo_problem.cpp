@@ -57,7 +57,7 @@ void PhotoProblem::use_threads(int count) const { use_tensor_threads(count); }
 
 ChartTarget PhotoProblem::target() const {
   const int least = make_summary(settings_.summary, settings_.network)->minimum_resolution();
-  return {settings_.resolution, std::max(least, kLeastResolution),
+  return {settings_.summary, settings_.resolution, std::max(least, kLeastResolution),
           std::ranges::count(posterior_->jagged(), true) > 0, !posterior_->discrete_levels().empty()};
 }
 

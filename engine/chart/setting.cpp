@@ -24,6 +24,7 @@ class Matrix {
   void add(const std::string& name, const std::function<void(ChartSetting&)>& change) {
     ChartSetting setting = default_setting();
     change(setting);
+    if (setting.summary == target_.summary) setting.summary.clear();
     if (setting == default_setting() || (target_.has_jagged && setting.refresh == 0)) return;
     setting.name = name;
     settings_.push_back(setting);

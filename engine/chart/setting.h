@@ -28,6 +28,7 @@ ChartSetting default_setting();
 
 /// What of a target decides which settings make sense.
 struct ChartTarget {
+  std::string summary = {};
   int resolution = 0;
   int least_resolution = 0;  ///< that its summary can look at
   bool has_jagged = false;   ///< see LogDensity::jagged()

@@ -64,10 +64,9 @@ int chart(const Options& options) {
   check(options);
   use_tensor_threads(hardware_threads());
   const PhotoProblem problem = problem_of(options);
-  const double gold_settings_share = 60 * options.gold_minutes / 2;  // of two
   ChartPlan plan = make_plan(preset_settings(options.preset, problem.target()), options.seed,
                              60 * options.minutes_per_setting / options.repeats, options.draws,
-                             gold_settings_share, options.draws);
+                             60 * options.gold_minutes / std::ssize(gold_settings()), options.draws);
   if (options.warmup > 0)
     for (auto* settings : {&plan.settings, &plan.gold.settings})
       *settings = with_warmup(*settings, options.warmup);

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
+#include <functional>
 
 #include "engine/chart/chart_points.h"
 #include "engine/chart/waiting.h"
@@ -24,7 +23,7 @@ ChartSetting changed(const std::string& name, const std::function<void(ChartSett
 }
 
 ChartPlan small_plan(std::vector<ChartSetting> settings) {
-  ChartPlan plan = make_plan(std::move(settings), 7, 0, 400, 0, 3000);
+  ChartPlan plan = make_plan(std::move(settings), 7, 0, 1000, 0, 3000);
   for (ChartSetting& setting : plan.gold.settings) setting.warmup = 300;
   plan.repeats = 2;
   plan.program = "a test";
@@ -57,8 +56,8 @@ TEST(Chart, errs_by_what_a_settings_bias_is_known_to_be_and_by_chance_elsewhere)
 TEST(Chart, a_kernel_that_samples_twice_the_variance_is_far_off_and_not_on_the_front) {
   const TemporaryFolder folder;
   const GaussianProblem problem(std::vector<double>{});
-  const ChartPlan plan =
-      small_plan({quick_setting(), changed("lenient", [](auto& s) { s.kernel = "lenient"; })});
+  ChartPlan plan = small_plan({quick_setting(), changed("lenient", [](auto& s) { s.kernel = "lenient"; })});
+  plan.trial.draws = 4000;
   const std::vector<ChartPoint> points = chart_points(make_chart(problem, plan, folder.path()));
   const ChartPoint& wrong = point(points, "lenient");
   EXPECT_TRUE(wrong.sd.beyond_chance);
@@ -151,9 +150,11 @@ TEST(Chart, refuses_a_folder_with_the_chart_of_another_target_or_seed) {
   ChartPlan plan = small_plan({quick_setting()});
   plan.repeats = 1;
   make_chart(problem, plan, folder.path());
+  const std::string gold = read_file(folder.path() / "gold" / "gold.csv");
   EXPECT_THROW(make_chart(other, plan, folder.path()), UserError);
-  plan.trial.seed = 8;
+  plan.trial.seed = plan.gold.trial.seed = 8;
   EXPECT_THROW(make_chart(problem, plan, folder.path()), UserError);
+  EXPECT_EQ(read_file(folder.path() / "gold" / "gold.csv"), gold) << "and leaves it as it was";
 }
 
 TEST(Chart, says_on_which_machine_of_what_and_how_well_founded_it_is) {
