@@ -51,9 +51,9 @@ void join(std::vector<Eigen::MatrixXd>& all, const std::vector<Eigen::MatrixXd>&
 std::vector<ChartSetting> gold_settings() {
   ChartSetting first = default_setting(), second = default_setting();
   first.name = "gold: " + first.kernel + " " + first.metric;
-  second.kernel = "nuts";
+  second.kernel = "mala";
   second.metric = "dense";
-  second.refresh = first.refresh / 3;
+  second.refresh = first.refresh * 2 / 3;
   second.name = "gold: " + second.kernel + " " + second.metric;
   return {first, second};
 }

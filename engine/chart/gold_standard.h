@@ -16,7 +16,7 @@ struct GoldPlan {
   TrialPlan trial;  ///< of each; its seed must be no other trial's
 };
 
-/// The default, and the no-U-turn sampler in a dense metric with a third of the default's refresh moves.
+/// The default, and MALA in a dense metric with two thirds of the default's refresh moves.
 std::vector<ChartSetting> gold_settings();
 
 /// A quantity in the gold standard.

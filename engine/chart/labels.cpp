@@ -24,7 +24,8 @@ double overlap(const Box& a, const Box& b) {
 Box LabelPlacer::place(const ScenePoint& point, double width, double height) {
   constexpr std::array<double, 6> kDistances{9, 14, 22, 32, 46, 64};  // pixels
   constexpr int kDirections = 16;
-  constexpr double kPerPixel = 1.5;  // covered pixels that a pixel nearer is worth
+  // What a name that covers anything costs, and every pixel farther away, in covered pixels.
+  constexpr double kCovers = 100, kPerPixel = 1.5;
   Box best;
   double least = INFINITY;
   for (const double distance : kDistances)
@@ -36,7 +37,8 @@ Box LabelPlacer::place(const ScenePoint& point, double width, double height) {
                    y = point.y + down * (distance + height / 2);
       const Box box{x - width / 2, y - height / 2, x + width / 2, y + height / 2};
       double cost = kPerPixel * distance + 10 * outside(box, area_);
-      for (const Box& other : taken_) cost += overlap(box, other);
+      for (const Box& other : taken_)
+        if (const double covered = overlap(box, other); covered > 0) cost += kCovers + covered;
       if (cost >= least) continue;
       least = cost;
       best = box;

@@ -10,6 +10,8 @@
 namespace patina {
 namespace {
 
+constexpr int kQuickWarmup = 500;
+
 /// The settings of a preset, each the default but for what its change says.
 class Matrix {
  public:
@@ -59,9 +61,8 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add<std::string>("dense metric", &ChartSetting::metric, "dense");
   matrix.add("refresh 0.25", &ChartSetting::refresh, 0.25);
   matrix.add("2 chains", &ChartSetting::chains, 2);
-  matrix.add("warm-up 500", &ChartSetting::warmup, 500);
   matrix.add_resolution(2);
-  return matrix.settings();
+  return with_warmup(matrix.settings(), kQuickWarmup);
 }
 
 std::vector<ChartSetting> full(const ChartTarget& target) {

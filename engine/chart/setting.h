@@ -35,8 +35,8 @@ struct ChartTarget {
   bool has_discrete = false;
 };
 
-/// "quick": the default and what differs from it in one respect, one of each; "full": all kernels with all
-/// metrics, and several of each respect.
+/// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500
+/// iterations, a third of the default's; "full": all kernels with all metrics, and several of each respect.
 std::vector<std::string> chart_presets();
 
 /// @throws std::invalid_argument for a name that is not among chart_presets()

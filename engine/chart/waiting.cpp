@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-constexpr double kFirst = 0.1;  // seconds
+constexpr double kFirst = 1e-3;  // seconds
 constexpr int kADecade = 10;
 const std::vector<std::string> kColumns{"setting", "repeat", "seconds", "error", "draws"};
 

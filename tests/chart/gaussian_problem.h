@@ -81,7 +81,8 @@ class GaussianProblem final : public ChartProblem {
   mutable std::atomic<long> evaluations_{0};
 };
 
-/// Accepts by the square root of the ratio: its draws have twice the variance.
+/// Accepts by the square root of the ratio: its draws have twice the variance. Its steps are short, so that
+/// what it is worth is no excuse.
 class LenientKernel final : public Kernel {
  public:
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
@@ -100,7 +101,7 @@ class LenientKernel final : public Kernel {
     state.evaluation.log_density *= 2;
     return info;
   }
-  double target_acceptance() const override { return kernel_->target_acceptance(); }
+  double target_acceptance() const override { return 0.6; }
 
  private:
   std::unique_ptr<Kernel> kernel_ = make_random_walk();
