@@ -41,6 +41,13 @@ std::string limits_text(const TrialPlan& trial) {
          std::to_string(trial.draws) + " draws a chain";
 }
 
+/// "warm-up 500, " if it is all settings'; else nothing.
+std::string warmup_text(const std::vector<ChartSetting>& settings) {
+  const bool same = std::ranges::all_of(
+      settings, [&](const ChartSetting& setting) { return setting.warmup == settings.front().warmup; });
+  return settings.empty() || !same ? "" : "warm-up " + std::to_string(settings.front().warmup) + ", ";
+}
+
 /// A chart being made in a directory.
 class Charter {
  public:
@@ -173,11 +180,11 @@ class Charter {
     double floor = 0;
     for (const GoldQuantity& quantity : gold_.continuous())
       floor = std::max(floor, quantity.mcse_mean / quantity.sd);
-    const ChartTitle title{problem_.description(), gold_text(gold_, plan_.gold),
-                           limits_text(plan_.trial) + "; " + std::to_string(plan_.repeats) +
-                               " repeats; seed " + std::to_string(plan_.trial.seed) + "; " +
-                               processor_name() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-                               " cores; " + plan_.program};
+    const ChartTitle title{
+        problem_.description(), gold_text(gold_, plan_.gold),
+        warmup_text(plan_.settings) + limits_text(plan_.trial) + "; " + std::to_string(plan_.repeats) +
+            " repeats; seed " + std::to_string(plan_.trial.seed) + "; " + processor_name() + ", " +
+            std::to_string(std::thread::hardware_concurrency()) + " cores; " + plan_.program};
     write_scene(directory_, "chart", draw_chart(chart_points(rows_), title));
     write_scene(directory_, "waiting", draw_waiting(curves_, floor, title));
   }

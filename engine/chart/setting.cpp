@@ -111,7 +111,8 @@ std::vector<ChartSetting> preset_settings(const std::string& preset, const Chart
 }
 
 std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup) {
-  std::erase_if(settings, [](const auto& setting) { return setting.warmup != default_setting().warmup; });
+  const int usual = settings.empty() ? 0 : settings.front().warmup;
+  std::erase_if(settings, [=](const ChartSetting& setting) { return setting.warmup != usual; });
   for (ChartSetting& setting : settings) setting.warmup = warmup;
   return settings;
 }

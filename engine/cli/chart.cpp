@@ -67,9 +67,8 @@ int chart(const Options& options) {
   ChartPlan plan = make_plan(preset_settings(options.preset, problem.target()), options.seed,
                              60 * options.minutes_per_setting / options.repeats, options.draws,
                              60 * options.gold_minutes / std::ssize(gold_settings()), options.draws);
-  if (options.warmup > 0)
-    for (auto* settings : {&plan.settings, &plan.gold.settings})
-      *settings = with_warmup(*settings, options.warmup);
+  if (options.warmup > 0) plan.settings = with_warmup(plan.settings, options.warmup);
+  plan.gold.settings = with_warmup(plan.gold.settings, plan.settings.front().warmup);
   plan.repeats = options.repeats;
   plan.program = program_version();
   make_chart(problem, plan, options.out, [&](const std::string& line) {
@@ -94,7 +93,7 @@ void add_chart(CLI::App& app, Command& chosen) {
           "Folder for chart.csv, chart.svg, chart.png, waiting.* and gold/; what it has is not made again")
       ->type_name("DIR")
       ->required();
-  command.add_option("--preset", options->preset, "Settings to try: quick (about 9) or full (about 35)")
+  command.add_option("--preset", options->preset, "Settings to try: quick (8) or full (about 35)")
       ->check(CLI::IsMember(chart_presets()))
       ->capture_default_str();
   command.add_option("--seed", options->seed, "Seed of everything drawn")
@@ -112,8 +111,7 @@ void add_chart(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command.add_option(
       "--warmup", options->warmup,
-      "Warm-up iterations of every chain, those of the gold standard included (default: 1500, and "
-      "settings that have less or more)");
+      "Warm-up iterations of every chain (default: 500 of quick; of full 1500, and several others)");
   command.add_option("--resolution", options->run.resolution, "Pixels a side of the target")
       ->capture_default_str();
   command.add_option("--summary", options->run.summary, "Summary of the target (default: the material's)")

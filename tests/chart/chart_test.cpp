@@ -166,7 +166,7 @@ TEST(Chart, says_on_which_machine_of_what_and_how_well_founded_it_is) {
   const TableFile table = read_table(folder.path() / "chart.csv").value();
   for (const char* key : {"program", "processor", "cores", "threads", "target", "seed", "limits", "gold"})
     EXPECT_FALSE(table.value(key).empty()) << key;
-  EXPECT_TRUE(table.value("gold").starts_with("Gold standard by hmc curved and nuts dense"))
+  EXPECT_TRUE(table.value("gold").starts_with("Gold standard by hmc curved and mala dense"))
       << table.value("gold");
   for (const char* name : {"chart.svg", "chart.png", "waiting.svg", "waiting.png"})
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 1000u) << name;
