@@ -12,9 +12,9 @@ namespace {
 
 GoldStandard some_gold() {
   Rng rng(1);
-  return GoldStandard(
-      {{autoregressive_draws(1000, 2, 0, rng), 3 + 2 * autoregressive_draws(1000, 2, 0, rng).array()}, {}},
-      {"x", "y"});
+  const Eigen::MatrixXd x = autoregressive_draws(1000, 2, 0, rng);
+  const Eigen::MatrixXd y = (2 * autoregressive_draws(1000, 2, 0, rng)).array() + 3;
+  return GoldStandard({{x, y}, {}}, {"x", "y"});
 }
 
 /// Two matches, then draws of two chains that come at different times.
@@ -40,7 +40,7 @@ WaitingPoint directly(const Trial& trial, const GoldStandard& gold, double secon
   for (const ChainTrace& chain : trial.chains)
     for (std::size_t i = 0; i < chain.seconds.size(); ++i)
       if (chain.seconds[i] <= seconds) sum += chain.values[i], ++draws;
-  Eigen::VectorXd estimate = sum / std::max(draws, 1L);
+  Eigen::Vector2d estimate = sum / std::max(draws, 1L);
   if (draws == 0) estimate = trial.search[seconds < trial.search[1].seconds ? 0 : 1].values;
   double error = 0;
   for (int q = 0; q < 2; ++q)
