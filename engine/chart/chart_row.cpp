@@ -84,6 +84,7 @@ std::vector<Column<ChartRow>> all_columns() {
            column("evaluations", &ChartRow::evaluations),
            column("search_evaluations", &ChartRow::search_evaluations),
            column("warmup_evaluations", &ChartRow::warmup_evaluations),
+           column("value_evaluations", &ChartRow::value_evaluations),
            column("least_ess", &ChartRow::accuracy, &Accuracy::least_ess),
            column("least_ess_of", &ChartRow::accuracy, &Accuracy::least_ess_of),
            column("largest_rhat", &ChartRow::accuracy, &Accuracy::largest_rhat),
@@ -122,6 +123,7 @@ ChartRow make_row(const ChartSetting& setting, int repeat, const TrialPlan& plan
   row.evaluations = trial.evaluations;
   row.search_evaluations = trial.search_evaluations;
   row.warmup_evaluations = trial.warmup_evaluations;
+  row.value_evaluations = trial.value_evaluations;
   row.accuracy = accuracy;
   return row;
 }

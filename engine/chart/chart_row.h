@@ -19,7 +19,7 @@ struct ChartRow {
   std::uint64_t seed = 0;
   long draws = 0;  ///< after warm-up, all chains together
   double seconds = 0, search_seconds = 0, warmup_seconds = 0, processor_seconds = 0;
-  long evaluations = 0, search_evaluations = 0, warmup_evaluations = 0;
+  long evaluations = 0, search_evaluations = 0, warmup_evaluations = 0, value_evaluations = 0;
   Accuracy accuracy;
 
   // What an effective draw of the worst quantity costs, search and warm-up included.

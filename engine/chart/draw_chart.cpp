@@ -25,8 +25,8 @@ constexpr std::array<Measure, 5> kMeasures{
     {{&ChartPoint::seconds_per_draw, &ChartPoint::mean, kSeconds, "worst error of a mean / sd"},
      {&ChartPoint::seconds_per_draw, &ChartPoint::sd, kSeconds, "worst |log ratio of sds|"},
      {&ChartPoint::seconds_per_draw, &ChartPoint::wasserstein, kSeconds, "worst Wasserstein-1 distance / sd"},
-     {&ChartPoint::evaluations_per_draw, &ChartPoint::mean, "gradient evaluations per effective draw",
-      "worst error of a mean / sd"},
+     {&ChartPoint::evaluations_per_draw, &ChartPoint::mean,
+      "evaluations per effective draw, with and without gradient", "worst error of a mean / sd"},
      {&ChartPoint::seconds_per_draw, &ChartPoint::levels, kSeconds,
       "worst total variation distance of levels"}}};
 

@@ -17,15 +17,16 @@ class Meter {
   explicit Meter(Clock::time_point deadline = Clock::time_point::max()) : deadline_(deadline) {}
 
   /// @throws OutOfTime
-  void count() {
+  void count(bool with_gradient) {
     if (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_) throw OutOfTime();
-    evaluations_.fetch_add(1, std::memory_order_relaxed);
+    (with_gradient ? gradients_ : values_).fetch_add(1, std::memory_order_relaxed);
   }
-  long evaluations() const { return evaluations_.load(std::memory_order_relaxed); }
+  long evaluations() const { return gradients_ + values_; }  ///< all
+  long values() const { return values_; }                    ///< those without gradient
 
  private:
   Clock::time_point deadline_;
-  std::atomic<long> evaluations_{0};
+  std::atomic<long> gradients_{0}, values_{0};
 };
 
 /// A target whose evaluations are counted.
@@ -37,8 +38,12 @@ class MeteredDensity final : public LogDensity {
   std::vector<int> discrete_levels() const override { return target_.discrete_levels(); }
   std::vector<bool> jagged() const override { return target_.jagged(); }
   Evaluation evaluate(const Position& position) const override {
-    meter_.count();
+    meter_.count(/*with_gradient=*/true);
     return target_.evaluate(position);
+  }
+  Evaluation value(const Position& position) const override {
+    meter_.count(/*with_gradient=*/false);
+    return target_.value(position);
   }
 
  private:

@@ -61,6 +61,7 @@ class Running {
     trial_.seconds = elapsed();
     trial_.processor_seconds = processor_seconds() - processor_start_;
     trial_.evaluations = meter_.evaluations();
+    trial_.value_evaluations = meter_.values();
   }
 
  private:

@@ -44,6 +44,7 @@ struct Trial {
   double seconds = 0, search_seconds = 0, warmup_seconds = 0;  ///< of wall time; the first is all of it
   double processor_seconds = 0;                                ///< of all threads
   long evaluations = 0, search_evaluations = 0, warmup_evaluations = 0;  ///< likewise
+  long value_evaluations = 0;  ///< those of all that asked for no gradient
 
   QuantityDraws draws() const;  ///< chains cut to the shortest
 };

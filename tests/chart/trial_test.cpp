@@ -14,6 +14,8 @@ TEST(Trial, counts_every_evaluation_that_the_target_saw) {
   EXPECT_GT(trial.search_evaluations, 0);
   EXPECT_GT(trial.warmup_evaluations, 0);
   EXPECT_LT(trial.search_evaluations + trial.warmup_evaluations, trial.evaluations);
+  EXPECT_GT(trial.value_evaluations, 0) << "of refresh and discrete moves";
+  EXPECT_LT(trial.value_evaluations, trial.evaluations);
 }
 
 TEST(Trial, from_one_seed_has_the_same_draws_and_counts_on_any_number_of_threads) {
