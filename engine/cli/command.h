@@ -21,5 +21,6 @@ void add_render(CLI::App& app, Command& chosen);
 void add_summarize(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_materials(CLI::App& app, Command& chosen);
+void add_chart(CLI::App& app, Command& chosen);
 
 }  // namespace patina

@@ -15,6 +15,7 @@
 #include "engine/run/first_line.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/network_checksum.h"
+#include "engine/run/posterior_settings.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_state.h"
@@ -44,19 +45,6 @@ Manifest first_manifest(const RunSettings& settings, const Photo& photo, const P
   manifest.mean_sigma = posterior.mean_sigma;
   manifest.phase = RunPhase::searching;
   return manifest;
-}
-
-PosteriorSettings posterior_settings(const RunSettings& settings, int resolution) {
-  PosteriorSettings posterior;
-  posterior.material = settings.material;
-  posterior.capture = settings.capture;
-  posterior.resolution = resolution;
-  posterior.summary = settings.summary;
-  posterior.network = settings.network;
-  posterior.z_seed = settings.z_seed;
-  posterior.fixed = settings.fixed;
-  posterior.priors = settings.priors;
-  return posterior;
 }
 
 void check_free_parameters(const Posterior& posterior) {

@@ -1,6 +1,7 @@
 #include "engine/sampling/sample.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
@@ -28,19 +29,33 @@ OneChain begin(const LogDensity& target, const Kernel& kernel, const SampleSetti
   return {std::move(state), rng, ChainWarmup(first, kernel.target_acceptance())};
 }
 
+std::vector<OneChain> begin_all(const LogDensity& target, const Kernel& kernel,
+                                const SampleSettings& settings, const Start& start, const Metric& metric) {
+  const auto shared_metric = std::make_shared<const Metric>(metric);
+  std::vector<std::optional<OneChain>> begun(static_cast<std::size_t>(settings.chains));
+  const auto begin_one = [&](std::size_t k) {
+    begun[k] = begin(target, kernel, settings, static_cast<int>(k), start, shared_metric);
+  };
+  parallel_for(begun.size(), settings.threads, begin_one, settings.enter_thread);
+  std::vector<OneChain> chains;
+  for (std::optional<OneChain>& chain : begun) chains.push_back(std::move(*chain));
+  return chains;
+}
+
 /// @return what all chains go on with
 KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
                        std::vector<OneChain>& chains) {
   KernelSettings frozen = chains.front().warmup.settings();
   for (const WarmupWindow& window : warmup_schedule(settings.warmup)) {
     std::vector<WindowResult> results(chains.size());
-    parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
+    const auto run_window = [&](std::size_t k) {
       OneChain& chain = chains[k];
       for (int t = window.begin; t < window.end; ++t)
         chain.warmup.observe(chain.state,
                              kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
       results[k] = chain.warmup.take_window();
-    });
+    };
+    parallel_for(chains.size(), settings.threads, run_window, settings.enter_thread);
     const KernelSettings pooled = pool(results, settings.metric, settings.metric_worth, target.jagged());
     if (window.adapts_metric)
       for (OneChain& chain : chains) chain.warmup.restart(pooled);
@@ -50,13 +65,14 @@ KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const Sam
   return frozen;
 }
 
-SampleTally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k, OneChain& chain,
-                 Sample& sample) {
+SampleTally draw(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
+                 Eigen::Index k, OneChain& chain, Sample& sample) {
   SampleTally tally;
   for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
     const TransitionInfo info = kernel.step(target, sample.frozen, chain.state, chain.rng);
     tally.add(info);
     record(sample, t, k, chain.state, info.energy);
+    if (settings.drew) settings.drew(static_cast<int>(k), chain.state);
   }
   return tally;
 }
@@ -65,17 +81,16 @@ SampleTally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k,
 
 Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
               const Start& start, const Metric& metric) {
-  const auto shared_metric = std::make_shared<const Metric>(metric);
-  std::vector<OneChain> chains;
-  for (int k = 0; k < settings.chains; ++k)
-    chains.push_back(begin(target, kernel, settings, k, start, shared_metric));
+  std::vector<OneChain> chains = begin_all(target, kernel, settings, start, metric);
   Sample sample;
   sample.frozen = warm_up(target, kernel, settings, chains);
+  if (settings.warmed_up) settings.warmed_up(sample.frozen);
   shape(sample, target, settings);
   std::vector<SampleTally> tallies(chains.size());
-  parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
-    tallies[k] = draw(target, kernel, static_cast<Eigen::Index>(k), chains[k], sample);
-  });
+  const auto draw_chain = [&](std::size_t k) {
+    tallies[k] = draw(target, kernel, settings, static_cast<Eigen::Index>(k), chains[k], sample);
+  };
+  parallel_for(chains.size(), settings.threads, draw_chain, settings.enter_thread);
   add_tallies(sample, tallies);
   return sample;
 }

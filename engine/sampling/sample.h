@@ -19,6 +19,11 @@ struct SampleSettings {
   MetricKind metric = MetricKind::dense;
   double metric_worth = 0;  ///< of the metric that warm-up begins with, see pool()
   int threads = 1;          ///< chains at a time; the sample is the same
+  // For who watches or breaks off (by throwing); they see chains and cannot change them.
+  std::function<void()> enter_thread = {};                    ///< called first on each thread of the chains
+  std::function<void(const KernelSettings&)> warmed_up = {};  ///< called once, when all chains have
+  /// Called after each draw, from the chains' threads at the same time.
+  std::function<void(int chain, const ChainState&)> drew = {};
 };
 
 /// What several chains drew after warm-up. A matrix has a row per draw and a column per chain, as the
@@ -38,7 +43,7 @@ using Start = std::function<Position(Rng&)>;
 
 /// Warms up several chains of a kernel, which pool what they learn, and draws: a whole run in memory, for any
 /// log density. Depends on the settings alone, not on threads.
-/// @param start   where a chain begins; called once per chain with the chain's generator
+/// @param start   where a chain begins; called once per chain with the chain's generator, from its thread
 /// @param metric  to begin warm-up with
 Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
               const Start& start, const Metric& metric);

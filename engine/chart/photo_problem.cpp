@@ -1,0 +1,76 @@
+#include "engine/chart/photo_problem.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/material/registry.h"
+#include "engine/material/renderer.h"
+#include "engine/posterior/prior_transform.h"
+#include "engine/run/mode_search.h"
+#include "engine/run/posterior_settings.h"
+#include "engine/run/run_checks.h"
+#include "engine/run/threads.h"
+#include "engine/sampling/rng.h"
+#include "engine/summary/summary.h"
+
+namespace patina {
+namespace {
+
+RunSettings with_summary(RunSettings settings) {
+  if (settings.summary.empty()) settings.summary = material_table(settings.material).summary;
+  return settings;
+}
+
+}  // namespace
+
+PhotoProblem::PhotoProblem(const RunSettings& settings, Image photo, const std::string& description)
+    : settings_(with_summary(settings)),
+      photo_(std::move(photo)),
+      posterior_(std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_)) {
+  description_ = settings_.material + " at " + std::to_string(settings_.resolution) + " pixels, summary " +
+                 settings_.summary + ", " + description;
+}
+
+std::vector<std::string> PhotoProblem::names() const {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : posterior_->table().continuous) names.push_back(parameter.name);
+  for (const DiscreteParameter& parameter : posterior_->table().discrete) names.push_back(parameter.name);
+  return names;
+}
+
+std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSetting& setting) const {
+  RunSettings settings = settings_;
+  if (!setting.summary.empty()) settings.summary = setting.summary;
+  if (setting.resolution > 0) settings.resolution = setting.resolution;
+  std::vector<std::unique_ptr<LogDensity>> targets;
+  for (const int level : pyramid(settings.resolution))
+    targets.push_back(std::make_unique<Posterior>(posterior_settings(settings, level), photo_));
+  return targets;
+}
+
+Eigen::VectorXd PhotoProblem::values(const Position& position) const {
+  const ParameterValues values = posterior_->values(position);
+  return Eigen::Map<const Eigen::VectorXd>(values.continuous.data(), std::ssize(values.continuous));
+}
+
+void PhotoProblem::use_threads(int count) const { use_tensor_threads(count); }
+
+ChartTarget PhotoProblem::target() const {
+  const int least = make_summary(settings_.summary, settings_.network)->minimum_resolution();
+  return {settings_.summary, settings_.resolution, std::max(least, kLeastResolution),
+          std::ranges::count(posterior_->jagged(), true) > 0, !posterior_->discrete_levels().empty()};
+}
+
+Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::uint64_t z_seed) {
+  constexpr int kSide = 256;  // pixels
+  const Renderer renderer(settings.material, z_seed, settings.capture);
+  Rng rng(seed);
+  ParameterValues values = prior_location(renderer.table());
+  for (std::size_t i = 0; i < values.continuous.size(); ++i)
+    values.continuous[i] = PriorTransform(renderer.table().continuous[i].prior).value(rng.normal());
+  for (std::size_t i = 0; i < values.discrete.size(); ++i)
+    values.discrete[i] = rng.below(static_cast<int>(renderer.table().discrete[i].levels.size()));
+  return renderer.render(values, kSide);
+}
+
+}  // namespace patina

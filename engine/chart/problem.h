@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/chart/setting.h"
+#include "engine/sampling/kernel.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+/// What a chart is made of: a posterior that settings can be tried on. Safe to use from several threads.
+class ChartProblem {
+ public:
+  virtual ~ChartProblem() = default;
+
+  /// One line that says which target it is; without line break.
+  virtual std::string description() const = 0;
+
+  /// Of the quantities that draws are compared in: continuous ones as values() has them, then discrete ones.
+  virtual std::vector<std::string> names() const = 0;
+
+  /// The target as a setting has it, from coarse to fine: the search begins with the first, the last is drawn
+  /// from. All of one space, that of every other setting as well.
+  virtual std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const = 0;
+
+  /// The continuous quantities at a position, in their own units.
+  virtual Eigen::VectorXd values(const Position& position) const = 0;
+
+  /// make_kernel() as the setting says.
+  virtual std::unique_ptr<Kernel> kernel(const ChartSetting& setting, const LogDensity& target) const;
+
+  /// How many threads an evaluation that is called from this thread may use.
+  virtual void use_threads(int) const {}
+};
+
+/// The target itself: as a setting has it that says nothing of resolution and summary.
+std::unique_ptr<LogDensity> target_of(const ChartProblem& problem);
+
+/// Log densities at a few places: what tells a target from another one, also where only a network's weights
+/// or the program differ.
+std::vector<double> fingerprint(const LogDensity& target);
+
+/// Whether two fingerprints are one target's, up to the rounding of renders.
+bool same_target(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace patina

@@ -1,0 +1,120 @@
+#include "engine/chart/setting.h"
+
+#include <functional>
+#include <stdexcept>
+
+#include "engine/run/run_settings.h"
+#include "engine/sampling/kernels.h"
+#include "engine/sampling/metric.h"
+
+namespace patina {
+namespace {
+
+constexpr int kQuickWarmup = 500;
+
+/// The settings of a preset, each the default but for what its change says.
+class Matrix {
+ public:
+  explicit Matrix(const ChartTarget& target) : target_(target), settings_{default_setting()} {}
+
+  template <typename T>
+  void add(const std::string& name, T ChartSetting::*field, const T& value) {
+    add(name, [&](ChartSetting& setting) { setting.*field = value; });
+  }
+
+  /// Left out if it changes nothing, or cannot be run on the target.
+  void add(const std::string& name, const std::function<void(ChartSetting&)>& change) {
+    ChartSetting setting = default_setting();
+    change(setting);
+    if (setting.summary == target_.summary) setting.summary.clear();
+    if (setting == default_setting() || (target_.has_jagged && setting.refresh == 0)) return;
+    setting.name = name;
+    settings_.push_back(setting);
+  }
+
+  void add_resolution(int divisor) {
+    const int resolution = target_.resolution / divisor;
+    if (resolution >= target_.least_resolution && resolution < target_.resolution)
+      add(std::to_string(resolution) + " pixels", &ChartSetting::resolution, resolution);
+  }
+
+  std::vector<ChartSetting> settings() const { return settings_; }
+
+ private:
+  ChartTarget target_;
+  std::vector<ChartSetting> settings_;
+};
+
+void add_kernels_and_metrics(Matrix& matrix) {
+  for (const std::string& kernel : kernel_names())
+    for (const std::string& metric : metric_names())
+      matrix.add(kernel + " " + metric, [&](ChartSetting& setting) {
+        setting.kernel = kernel;
+        setting.metric = metric;
+      });
+}
+
+std::vector<ChartSetting> quick(const ChartTarget& target) {
+  Matrix matrix(target);
+  for (const char* kernel : {"mh", "mala", "nuts"})
+    matrix.add<std::string>(kernel, &ChartSetting::kernel, kernel);
+  matrix.add<std::string>("dense metric", &ChartSetting::metric, "dense");
+  matrix.add("refresh 0.25", &ChartSetting::refresh, 0.25);
+  matrix.add("2 chains", &ChartSetting::chains, 2);
+  matrix.add_resolution(2);
+  return with_warmup(matrix.settings(), kQuickWarmup);
+}
+
+std::vector<ChartSetting> full(const ChartTarget& target) {
+  Matrix matrix(target);
+  add_kernels_and_metrics(matrix);
+  for (const char* refresh : {"0", "0.25", "0.5", "0.9"})
+    matrix.add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
+  for (const char* length : {"0.6", "3"})
+    matrix.add(std::string("path ") + length, &ChartSetting::path_length, std::stod(length));
+  for (const int chains : {1, 2, 8})
+    matrix.add(std::to_string(chains) + (chains == 1 ? " chain" : " chains"), &ChartSetting::chains, chains);
+  for (const int warmup : {300, 700, 3000})
+    matrix.add("warm-up " + std::to_string(warmup), &ChartSetting::warmup, warmup);
+  for (const int divisor : {2, 4}) matrix.add_resolution(divisor);
+  for (const char* summary : {"means", "rings", "gram"})
+    matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
+  matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
+  if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
+  return matrix.settings();
+}
+
+}  // namespace
+
+ChartSetting default_setting() {
+  const RunSettings run;
+  ChartSetting setting;
+  setting.name = kDefaultSetting;
+  setting.kernel = run.kernel;
+  setting.metric = run.metric;
+  setting.discrete = run.discrete;
+  setting.start = run.start;
+  setting.chains = run.chains;
+  setting.warmup = run.warmup;
+  setting.alpha = run.alpha;
+  setting.refresh = run.refresh;
+  setting.path_length = run.path_length;
+  return setting;
+}
+
+std::vector<std::string> chart_presets() { return {"quick", "full"}; }
+
+std::vector<ChartSetting> preset_settings(const std::string& preset, const ChartTarget& target) {
+  if (preset == "quick") return quick(target);
+  if (preset == "full") return full(target);
+  throw std::invalid_argument("unknown preset '" + preset + "'");
+}
+
+std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup) {
+  const int usual = settings.empty() ? 0 : settings.front().warmup;
+  std::erase_if(settings, [=](const ChartSetting& setting) { return setting.warmup != usual; });
+  for (ChartSetting& setting : settings) setting.warmup = warmup;
+  return settings;
+}
+
+}  // namespace patina

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace patina {
+
+/// One way of drawing from a posterior: a point of the chart. What `resolution` and `summary` change is the
+/// posterior itself; it is judged by the target's all the same, so that what they bias shows as error.
+struct ChartSetting {
+  std::string name;  ///< as it stands at the point; without comma and line break
+  std::string kernel;
+  std::string metric;
+  std::string discrete;
+  std::string start;    ///< "map" or "prior" (engine/run/chain_start.h)
+  std::string summary;  ///< empty: the target's
+  int resolution = 0;   ///< pixels a side; 0: the target's
+  int chains = 0;
+  int warmup = 0;  ///< iterations of each chain
+  double alpha = 0, refresh = 0, path_length = 0;
+  bool operator==(const ChartSetting&) const = default;
+};
+
+inline constexpr const char* kDefaultSetting = "default";
+
+/// How a run draws that is told nothing (RunSettings), named kDefaultSetting.
+ChartSetting default_setting();
+
+/// What of a target decides which settings make sense.
+struct ChartTarget {
+  std::string summary = {};
+  int resolution = 0;
+  int least_resolution = 0;  ///< that its summary can look at
+  bool has_jagged = false;   ///< see LogDensity::jagged()
+  bool has_discrete = false;
+};
+
+/// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500
+/// iterations, a third of the default's; "full": all kernels with all metrics, and several of each respect.
+std::vector<std::string> chart_presets();
+
+/// @throws std::invalid_argument for a name that is not among chart_presets()
+std::vector<ChartSetting> preset_settings(const std::string& preset, const ChartTarget& target);
+
+/// Gives all settings so much warm-up; those whose warm-up is not the first one's are left out.
+std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup);
+
+}  // namespace patina

@@ -1,0 +1,169 @@
+#include "engine/chart/trial.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "engine/chart/metered_density.h"
+#include "engine/error.h"
+#include "engine/run/chain_start.h"
+#include "engine/sampling/map_search.h"
+#include "engine/sampling/sample.h"
+
+namespace patina {
+namespace {
+
+using Clock = Meter::Clock;
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+double processor_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+Clock::time_point deadline(Clock::time_point start, double seconds) {
+  if (seconds <= 0) return Clock::time_point::max();
+  return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// One trial under way. What has been seen when time is over stays.
+class Running {
+ public:
+  Running(const ChartProblem& problem, const ChartSetting& setting, const TrialPlan& plan, Trial& trial)
+      : problem_(problem),
+        setting_(setting),
+        plan_(plan),
+        trial_(trial),
+        meter_(deadline(start_, plan.seconds)) {
+    trial_.chains.resize(static_cast<std::size_t>(setting.chains));
+  }
+
+  /// @throws OutOfTime
+  void run() {
+    for (const auto& target : targets_) metered_.push_back(std::make_unique<MeteredDensity>(*target, meter_));
+    const MapSearchResult found = search();
+    const LogDensity& target = *metered_.back();
+    const Metric laplace(laplace_covariance(target, found.best.position));
+    trial_.search_seconds = elapsed();
+    trial_.search_evaluations = meter_.evaluations();
+    draw(target, {found.best.position, found.best.evaluation}, laplace);
+  }
+
+  void end() {
+    trial_.seconds = elapsed();
+    trial_.processor_seconds = processor_seconds() - processor_start_;
+    trial_.evaluations = meter_.evaluations();
+    trial_.value_evaluations = meter_.values();
+  }
+
+ private:
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  MapSearchResult search() {
+    problem_.use_threads(plan_.threads);
+    std::vector<const LogDensity*> targets;
+    for (const auto& target : metered_) targets.push_back(target.get());
+    MapSearchSettings settings;
+    settings.threads = plan_.threads;
+    settings.enter_thread = [&] { problem_.use_threads(1); };
+    settings.progress = [&](double, const Position& best, double) {
+      trial_.search.push_back({elapsed(), problem_.values(best)});
+    };
+    Rng rng(plan_.seed, 0);
+    MapSearchResult found = search_map(targets, rng, settings);
+    if (!std::isfinite(found.best.evaluation.log_density))
+      throw UserError("No parameters render to anything comparable with the photo.");
+    trial_.search.push_back({elapsed(), problem_.values(found.best.position)});
+    return found;
+  }
+
+  void draw(const LogDensity& target, const ChainState& mode, const Metric& laplace) {
+    SampleSettings settings;
+    settings.chains = setting_.chains;
+    settings.warmup = setting_.warmup;
+    settings.draws = plan_.draws;
+    settings.seed = plan_.seed;
+    settings.metric = metric_kind(setting_.metric);
+    settings.metric_worth = 10.0 * static_cast<double>(target.dimension());  // as a run has it
+    settings.threads = setting_.chains;
+    settings.enter_thread = [&] { problem_.use_threads(1); };
+    settings.warmed_up = [&](const KernelSettings&) {
+      trial_.warmup_seconds = elapsed() - trial_.search_seconds;
+      trial_.warmup_evaluations = meter_.evaluations() - trial_.search_evaluations;
+    };
+    settings.drew = [&](int chain, const ChainState& state) {
+      ChainTrace& trace = trial_.chains[static_cast<std::size_t>(chain)];
+      trace.values.push_back(problem_.values(state.position));
+      trace.levels.push_back(state.position.discrete);
+      trace.seconds.push_back(elapsed());
+    };
+    const auto start = [&](Rng& rng) {
+      if (setting_.start == "prior")
+        return start_at(
+                   target, [&](Rng& r) { return prior_draw(target, r); }, rng)
+            .position;
+      return overdispersed_start(target, mode, laplace, rng).position;
+    };
+    const Metric first(restricted(laplace.covariance(), settings.metric));
+    sample(target, *problem_.kernel(setting_, target), settings, start, first);
+  }
+
+  const ChartProblem& problem_;
+  const ChartSetting& setting_;
+  const TrialPlan& plan_;
+  Trial& trial_;
+  Clock::time_point start_ = Clock::now();
+  double processor_start_ = processor_seconds();
+  Meter meter_;
+  std::vector<std::unique_ptr<LogDensity>> targets_ = problem_.targets(setting_);
+  std::vector<std::unique_ptr<MeteredDensity>> metered_;
+};
+
+template <typename Vector>
+std::vector<Eigen::MatrixXd> matrices(const std::vector<ChainTrace>& chains, std::size_t draws,
+                                      std::vector<Vector> ChainTrace::*of) {
+  std::vector<Eigen::MatrixXd> result;
+  if (draws == 0) return result;
+  const Eigen::Index quantities = (chains.front().*of).front().size();
+  for (Eigen::Index q = 0; q < quantities; ++q) {
+    Eigen::MatrixXd& matrix = result.emplace_back(draws, chains.size());
+    for (std::size_t k = 0; k < chains.size(); ++k)
+      for (std::size_t i = 0; i < draws; ++i) matrix(i, k) = static_cast<double>((chains[k].*of)[i][q]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::Index QuantityDraws::draws() const {
+  if (!continuous.empty()) return continuous.front().rows();
+  return discrete.empty() ? 0 : discrete.front().rows();
+}
+
+QuantityDraws Trial::draws() const {
+  std::size_t shortest = chains.empty() ? 0 : chains.front().seconds.size();
+  for (const ChainTrace& chain : chains) shortest = std::min(shortest, chain.seconds.size());
+  return {matrices(chains, shortest, &ChainTrace::values), matrices(chains, shortest, &ChainTrace::levels)};
+}
+
+Trial run_trial(const ChartProblem& problem, const ChartSetting& setting, const TrialPlan& plan) {
+  Trial trial;
+  Running running(problem, setting, plan, trial);
+  try {
+    running.run();
+  } catch (const OutOfTime&) {
+    // What there is by then is what the setting is worth in that time.
+  }
+  running.end();
+  return trial;
+}
+
+}  // namespace patina

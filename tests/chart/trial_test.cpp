@@ -1,0 +1,72 @@
+#include "engine/chart/trial.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/chart/gaussian_problem.h"
+
+namespace patina {
+namespace {
+
+TEST(Trial, counts_every_evaluation_that_the_target_saw) {
+  const GaussianProblem problem;
+  const Trial trial = run_trial(problem, quick_setting(), {.seed = 3, .draws = 100, .threads = 2});
+  EXPECT_EQ(trial.evaluations, problem.evaluations());
+  EXPECT_GT(trial.search_evaluations, 0);
+  EXPECT_GT(trial.warmup_evaluations, 0);
+  EXPECT_LT(trial.search_evaluations + trial.warmup_evaluations, trial.evaluations);
+  EXPECT_GT(trial.value_evaluations, 0) << "of refresh and discrete moves";
+  EXPECT_LT(trial.value_evaluations, trial.evaluations);
+}
+
+TEST(Trial, from_one_seed_has_the_same_draws_and_counts_on_any_number_of_threads) {
+  const GaussianProblem problem;
+  const auto run = [&](std::uint64_t seed, int threads) {
+    return run_trial(problem, quick_setting(), {.seed = seed, .draws = 60, .threads = threads});
+  };
+  const Trial one = run(5, 1), again = run(5, 3), other = run(6, 1);
+  EXPECT_EQ(one.evaluations, again.evaluations);
+  EXPECT_EQ(one.warmup_evaluations, again.warmup_evaluations);
+  EXPECT_EQ(one.draws().continuous, again.draws().continuous);
+  EXPECT_EQ(one.draws().discrete, again.draws().discrete);
+  EXPECT_NE(one.draws().continuous, other.draws().continuous);
+}
+
+TEST(Trial, has_the_best_match_first_and_then_draws_in_order_of_time) {
+  const GaussianProblem problem;
+  const Trial trial = run_trial(problem, quick_setting(), {.seed = 3, .draws = 50});
+  ASSERT_FALSE(trial.search.empty());
+  ASSERT_EQ(trial.chains.size(), 4u);
+  for (const ChainTrace& chain : trial.chains) {
+    ASSERT_EQ(chain.seconds.size(), 50u);
+    EXPECT_TRUE(std::ranges::is_sorted(chain.seconds));
+    EXPECT_LE(trial.search.back().seconds, chain.seconds.front());
+    EXPECT_LE(chain.seconds.back(), trial.seconds);
+  }
+}
+
+TEST(Trial, whose_time_is_over_before_it_begins_has_evaluated_nothing) {
+  const GaussianProblem problem;
+  const Trial trial = run_trial(problem, quick_setting(), {.seed = 3, .draws = 50, .seconds = 1e-9});
+  EXPECT_EQ(trial.evaluations, 0);
+  EXPECT_EQ(problem.evaluations(), 0);
+  EXPECT_EQ(trial.draws().draws(), 0);
+}
+
+TEST(Trial, cuts_its_chains_to_the_shortest) {
+  Trial trial;
+  trial.chains.resize(2);
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 3 + k; ++i) {
+      trial.chains[k].seconds.push_back(i);
+      trial.chains[k].values.push_back(Eigen::Vector2d(i, 10 * k));
+      trial.chains[k].levels.push_back(Eigen::VectorXi::Constant(1, i % 2));
+    }
+  const QuantityDraws draws = trial.draws();
+  ASSERT_EQ(draws.continuous.size(), 2u);
+  EXPECT_EQ(draws.continuous[0], Eigen::Vector3d(0, 1, 2).replicate(1, 2));
+  EXPECT_EQ(draws.continuous[1].col(1), Eigen::Vector3d::Constant(10));
+  EXPECT_EQ(draws.discrete[0].col(1), Eigen::Vector3d(0, 1, 0));
+}
+
+}  // namespace
+}  // namespace patina
