@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "engine/run/draw.h"
+#include "gui/chunked_column.h"
 #include "gui/plot_axis.h"
 
 namespace patina {
 
-/// All draws of a run as columns, in order of arrival. A draw's index never changes. A million draws of a
-/// dozen parameters take about 150 MB.
+/// All draws of a run as columns, in order of arrival. A draw's index never changes. A draw takes 21
+/// bytes more than its values: a million of a dozen parameters about 120 MB.
 class DrawColumns {
  public:
   explicit DrawColumns(const ParameterTable& table = {});
@@ -48,12 +49,12 @@ class DrawColumns {
   std::size_t column_of(const PlotAxis& axis) const;
   void append(const Draw& draw);
 
-  std::vector<std::vector<double>> continuous_;
-  std::vector<std::vector<std::int32_t>> discrete_;
-  std::vector<double> lp_;
-  std::vector<std::int32_t> chain_;
-  std::vector<std::int64_t> iteration_;
-  std::vector<std::uint8_t> flags_;
+  std::vector<ChunkedColumn<double>> continuous_;
+  std::vector<ChunkedColumn<std::int32_t>> discrete_;
+  ChunkedColumn<double> lp_;
+  ChunkedColumn<std::int32_t> chain_;
+  ChunkedColumn<std::int64_t> iteration_;
+  ChunkedColumn<std::uint8_t> flags_;
   std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp
   std::size_t sampling_count_ = 0;
   int chain_count_ = 0;

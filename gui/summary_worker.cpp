@@ -9,30 +9,35 @@
 #include <thread>
 #include <utility>
 
+#include "engine/run/running_summary.h"
+
 namespace patina {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kLeastInterval = std::chrono::seconds(1);
+constexpr Clock::duration kLeastInterval = std::chrono::milliseconds(100);
+constexpr Clock::duration kLeastIntervalOfExactFigures = std::chrono::seconds(1);
+
+/// How long to wait after work that took so long, for a tenth of a core.
+Clock::duration rest_after(Clock::duration spent, Clock::duration least) {
+  return std::max(least, 9 * spent);
+}
 
 /// The worker's draws after warm-up, thinned by whole iterations so that chains stay aligned.
 class ThinnedDraws {
  public:
-  /// Returns whether a draw was kept.
-  bool add(std::vector<Draw> arrived) {
-    const std::size_t before = draws_.size();
+  void add(std::vector<Draw> arrived) {
     std::copy_if(std::make_move_iterator(arrived.begin()), std::make_move_iterator(arrived.end()),
                  std::back_inserter(draws_), [&](const Draw& draw) { return keeps(draw); });
-    const bool grew = draws_.size() > before;
     // The second condition ends the loop for draws that all claim one iteration.
     while (draws_.size() > SummaryWorker::kMaxDraws && every_ < (std::int64_t{1} << 40)) {
       every_ *= 2;
       std::erase_if(draws_, [&](const Draw& draw) { return !keeps(draw); });
     }
-    return grew;
   }
 
   const std::vector<Draw>& draws() const { return draws_; }
+  bool are_all() const { return every_ == 1; }
 
  private:
   bool keeps(const Draw& draw) const { return !draw.warmup && draw.iteration % every_ == 0; }
@@ -63,19 +68,35 @@ struct SummaryWorker::State {
     arrived.wait_for(lock, stop, duration, [] { return false; });
   }
 
+  void publish(RunSummary summary) {
+    {
+      const std::lock_guard lock(mutex);
+      outbox = std::move(summary);
+    }
+    if (wake) wake();
+  }
+
   void work(const std::stop_token& stop) {
     ThinnedDraws kept;
+    RunningSummary running(table);
+    RunSummary summary;  // of the draws that were kept
+    auto next_exact = Clock::now();
     while (!stop.stop_requested()) {
-      if (!kept.add(wait_for_draws(stop))) continue;
-      const auto start = Clock::now();
-      RunSummary summary = summarize_draws(table, kept.draws());
-      const auto spent = Clock::now() - start;
-      {
-        const std::lock_guard lock(mutex);
-        outbox = std::move(summary);
+      std::vector<Draw> fresh = wait_for_draws(stop);
+      for (const Draw& draw : fresh) running.add(draw);
+      kept.add(std::move(fresh));
+      if (kept.draws().empty()) continue;
+      auto start = Clock::now();
+      if (start >= next_exact) {
+        summary = summarize_draws(table, kept.draws());
+        const auto end = Clock::now();
+        next_exact = end + rest_after(end - start, kLeastIntervalOfExactFigures);
+        start = end;
       }
-      if (wake) wake();
-      sleep(stop, std::max<Clock::duration>(kLeastInterval, 9 * spent));
+      if (!kept.are_all()) running.update(summary);
+      publish(summary);
+      const auto end = Clock::now();
+      sleep(stop, kept.are_all() ? next_exact - end : rest_after(end - start, kLeastInterval));
     }
   }
 };

@@ -10,9 +10,11 @@
 
 namespace patina {
 
-/// Keeps R-hat, ESS and moments up to date on a thread of its own, about once a second and for at most a
-/// tenth of a core. It keeps its own copy of the draws after warm-up; beyond kMaxDraws every second one is
-/// left out (again and again), so that its ESS is then a lower bound.
+/// Keeps R-hat, ESS and moments up to date on a thread of its own, for about a tenth of a core. Up to
+/// kMaxDraws draws after warm-up all figures are exact, about once a second or as often as that share allows.
+/// Beyond, those of RunningSummary are brought up to date up to ten times a second, however many draws there
+/// are; the others (quantiles, MCSE of the sd, directions, E-BFMI) are those of a copy of the draws of which
+/// every second one was left out, again and again, so that ESS among them are lower bounds.
 class SummaryWorker {
  public:
   static constexpr std::size_t kMaxDraws = 40000;

@@ -2,6 +2,7 @@
 // thousand evaluations, after the default warm-up of four chains from around the mode, Laplace's metric
 // first, as in a run; the median of five seeds, and their range. Evaluations are what costs in Patina, so the
 // clock plays no part.
+//   bench-kernels [WORD]    only targets whose names hold the word: "truncated", "d = 23"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -95,13 +96,17 @@ void compare(const std::string& name, const LogDensity& target, const std::strin
               middle.acceptance, middle.evaluations_a_draw, middle.rhat);
 }
 
-void compare_named(const std::string& name, const LogDensity& target, double refresh) {
+void compare_named(const std::string& name, const LogDensity& target, double refresh,
+                   const std::string& word) {
+  if (name.find(word) == std::string::npos) return;
   for (const std::string& kernel : kernel_names())
     compare(name, target, kernel, *make_kernel(kernel, target, 1, refresh), refresh,
             kernel == "nuts" ? 3000 : 10000);
 }
 
-void compare_paths(const std::string& name, const LogDensity& target, double refresh) {
+void compare_paths(const std::string& name, const LogDensity& target, double refresh,
+                   const std::string& word) {
+  if (name.find(word) == std::string::npos) return;
   for (const double path : {0.6, 1.0, 1.5, 2.5, 4.0}) {
     std::unique_ptr<Kernel> kernel = make_hmc(path);
     if (refresh > 0) kernel = make_mixture(std::move(kernel), make_refresh_move(), 1 - refresh);
@@ -112,17 +117,19 @@ void compare_paths(const std::string& name, const LogDensity& target, double ref
 }  // namespace
 }  // namespace patina
 
-int main() {
+int main(int argc, char** argv) {
   using namespace patina;
+  const std::string word = argc > 1 ? argv[1] : "";
   std::printf("%-18s %-8s %7s %8s %19s %10s %11s %7s\n", "target", "kernel", "refresh", "ESS/1000",
               "of five seeds", "acceptance", "evals/draw", "R-hat");
   for (const int d : {8, 16, 23}) {
     const std::string n = std::to_string(d);
-    compare_named("gaussian, d = " + n, GaussianTarget(Eigen::VectorXd::Zero(d), autoregressive(d, 0.9)), 0);
-    compare_named("truncated, d = " + n, truncated_gaussian(d), 0);
+    compare_named("gaussian, d = " + n, GaussianTarget(Eigen::VectorXd::Zero(d), autoregressive(d, 0.9)), 0,
+                  word);
+    compare_named("truncated, d = " + n, truncated_gaussian(d), 0, word);
   }
   for (const double refresh : {0.0, 0.1, 0.3}) {
-    compare_named("bent ridge, d = 13", bent_ridge(), refresh);
-    compare_paths("bent ridge, d = 13", bent_ridge(), refresh);
+    compare_named("bent ridge, d = 13", bent_ridge(), refresh, word);
+    compare_paths("bent ridge, d = 13", bent_ridge(), refresh, word);
   }
 }

@@ -4,27 +4,14 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "engine/diagnostics/effective_sample_size.h"
 #include "engine/diagnostics/ranks.h"
+#include "tests/diagnostics/series.h"
 
 namespace patina {
 namespace {
-
-/// n x M independent AR(1) series with unit variance and the given correlation of neighbours.
-Eigen::MatrixXd ar1(Eigen::Index n, Eigen::Index chains, double correlation, unsigned seed) {
-  std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal;
-  Eigen::MatrixXd draws(n, chains);
-  for (auto chain : draws.colwise()) {
-    chain[0] = normal(generator);
-    for (Eigen::Index t = 1; t < n; ++t)
-      chain[t] = correlation * chain[t - 1] + std::sqrt(1 - correlation * correlation) * normal(generator);
-  }
-  return draws;
-}
 
 TEST(MeanAutocovariance, by_fourier_transform_is_the_sum_of_products) {
   const Eigen::MatrixXd draws = ar1(37, 3, 0.6, 1);

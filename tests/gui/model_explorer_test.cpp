@@ -1,6 +1,7 @@
 #include "gui/explorer_model.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <limits>
@@ -45,6 +46,28 @@ TEST(ExplorerModel, GivesBackEveryDrawAsItCame) {
     EXPECT_EQ(model.draws().warmup(i), draws[i].warmup);
   }
   EXPECT_EQ(model.draws().chain_count(), 4);
+}
+
+std::size_t heap_in_use() {
+  const auto info = ::mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+TEST(ExplorerModel, KeepsADrawInLittleMoreThanItsNumbersTakeHoweverManyThereAre) {
+  constexpr int kParameters = 23;
+  ParameterTable table;
+  for (int i = 0; i < kParameters; ++i) table.continuous.push_back({"p" + std::to_string(i), "", "", {}});
+  Draw draw = draw_at(0, 0, 0);
+  draw.values = {std::vector<double>(kParameters, 0.5), {}};
+  ExplorerModel model(table);
+  const std::size_t before = heap_in_use();
+  for (const std::size_t draws :
+       {70'000u, 140'000u}) {  // a little above a power of two, where vectors have just grown
+    while (model.draws().size() < draws) model.append({&draw, 1});
+    const double per_draw = static_cast<double>(heap_in_use() - before) / static_cast<double>(draws);
+    EXPECT_GE(per_draw, sizeof(double) * kParameters) << "the heap is not what it is kept in";
+    EXPECT_LT(per_draw, 1.25 * sizeof(double) * kParameters);
+  }
 }
 
 TEST(ExplorerModel, LeavesOutDrawsOfAnotherTable) {

@@ -189,5 +189,36 @@ TEST_F(SessionTest, SummarisesLiveWhatSummarizeDrawsSays) {
   }
 }
 
+TEST_F(SessionTest, SummarisesAllOfMoreDrawsThanItKeeps) {
+  session_.open(photo_);
+  session_.start();
+  constexpr int kDraws = 60000, kBatch = 20000;
+  static_assert(kDraws > static_cast<int>(SummaryWorker::kMaxDraws));
+  double sum = 0;
+  for (int i = 0; i < kDraws; i += kBatch) {
+    std::vector<Draw> draws;
+    for (int j = i; j < i + kBatch; ++j) {
+      const double x = 0.5 + 0.4 * std::sin(7.0 * j) + 1e-6 * j;
+      sum += x;
+      draws.push_back(draw_at(x, 0.5, 0, false, j % 4));
+      draws.back().iteration = j / 4;
+    }
+    run_->feed(draws);
+    session_.poll();
+  }
+  const auto counted = [&] {
+    std::int64_t draws = 0;
+    if (session_.summary())
+      for (const ChainSummary& chain : session_.summary()->chains) draws += chain.draws;
+    return draws;
+  };
+  for (int wait = 0; wait < 3000 && counted() < kDraws; ++wait) {
+    session_.poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_EQ(counted(), kDraws);
+  EXPECT_NEAR(session_.summary()->quantities[1].mean, sum / kDraws, 1e-12);
+}
+
 }  // namespace
 }  // namespace patina
