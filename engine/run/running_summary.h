@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <cstddef>
+#include <memory>
 
-#include "engine/diagnostics/running_convergence.h"
 #include "engine/run/summarize.h"
 
 namespace patina {
@@ -13,6 +12,9 @@ namespace patina {
 class RunningSummary {
  public:
   explicit RunningSummary(const ParameterTable& table);
+  ~RunningSummary();
+  RunningSummary(RunningSummary&&) noexcept;
+  RunningSummary& operator=(RunningSummary&&) noexcept;
 
   void add(const Draw& draw);  ///< of warm-up: left out
 
@@ -24,14 +26,8 @@ class RunningSummary {
   std::size_t bytes() const;  ///< of the heap that it holds
 
  private:
-  struct ChainCount {
-    std::int64_t draws = 0, divergences = 0;
-    double acceptance_sum = 0;
-  };
-
-  std::size_t continuous_, discrete_;
-  std::vector<RunningConvergence> quantities_;  ///< lp first, then the table's order
-  std::vector<ChainCount> chains_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace patina

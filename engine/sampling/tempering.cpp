@@ -27,11 +27,15 @@ Eigen::VectorXd TemperedDensity::prior_pull(const Position& position) const {
   return pull;
 }
 
+double TemperedDensity::tempered_value(const Position& position, double of_target) const {
+  return beta_ * of_target - (1 - beta_) * 0.5 * position.continuous.squaredNorm();
+}
+
 ChainState TemperedDensity::tempered(const ChainState& state) const {
   const Position& x = state.position;
-  return {x,
-          {beta_ * state.evaluation.log_density - (1 - beta_) * 0.5 * x.continuous.squaredNorm(),
-           beta_ * state.evaluation.gradient + prior_pull(x)}};
+  return {
+      x,
+      {tempered_value(x, state.evaluation.log_density), beta_ * state.evaluation.gradient + prior_pull(x)}};
 }
 
 ChainState TemperedDensity::untempered(const ChainState& state) const {
@@ -44,6 +48,13 @@ ChainState TemperedDensity::untempered(const ChainState& state) const {
 Evaluation TemperedDensity::evaluate(const Position& position) const {
   Evaluation of_target = evaluate_finite(target_, position);
   if (!std::isfinite(of_target.log_density)) return of_target;
+  return tempered({position, std::move(of_target)}).evaluation;
+}
+
+Evaluation TemperedDensity::value(const Position& position) const {
+  Evaluation of_target = value_finite(target_, position);
+  if (!std::isfinite(of_target.log_density)) return of_target;
+  if (of_target.gradient.size() == 0) return {tempered_value(position, of_target.log_density), {}};
   return tempered({position, std::move(of_target)}).evaluation;
 }
 

@@ -25,6 +25,7 @@ class TemperedDensity final : public LogDensity {
   std::vector<int> discrete_levels() const override { return target_.discrete_levels(); }
   std::vector<bool> jagged() const override { return jagged_; }
   Evaluation evaluate(const Position& position) const override;
+  Evaluation value(const Position& position) const override;
 
   /// A state of the target as one of this density, and back, without an evaluation. At beta = 1 both are
   /// exact.
@@ -32,6 +33,7 @@ class TemperedDensity final : public LogDensity {
   ChainState untempered(const ChainState& state) const;
 
  private:
+  double tempered_value(const Position& position, double of_target) const;
   Eigen::VectorXd prior_pull(const Position& position) const;
 
   const LogDensity& target_;

@@ -72,6 +72,29 @@ TEST(TemperedDensity, has_the_slope_of_its_value_and_the_moments_of_its_formula)
   }
 }
 
+/// Knows how to leave its gradient out.
+class Lazy final : public LogDensity {
+ public:
+  Eigen::Index dimension() const override { return 2; }
+  Evaluation evaluate(const Position& p) const override { return target_.evaluate(p); }
+  Evaluation value(const Position& p) const override { return {target_.evaluate(p).log_density, {}}; }
+
+ private:
+  FunctionTarget target_ = seen_with_an_error();
+};
+
+TEST(TemperedDensity, leaves_out_the_gradient_that_its_target_leaves_out) {
+  const Lazy lazy;
+  const FunctionTarget eager = seen_with_an_error();
+  const TemperedDensity tempered(lazy, 0.3), of_eager(eager, 0.3);
+  const Position position{Eigen::Vector2d(0.4, -1.2), {}};
+  const Evaluation expected = tempered.evaluate(position);
+  EXPECT_EQ(tempered.value(position).log_density, expected.log_density);
+  EXPECT_EQ(tempered.value(position).gradient.size(), 0);
+  EXPECT_EQ(of_eager.value(position).log_density, expected.log_density);
+  EXPECT_EQ(of_eager.value(position).gradient, expected.gradient);
+}
+
 TEST(TemperedDensity, says_nothing_along_jagged_coordinates) {
   const JaggedTarget target(Eigen::VectorXd::Zero(3), some_covariance(3));
   const TemperedDensity tempered(target, 0.5);
