@@ -50,51 +50,64 @@ std::pair<double, double> total_variation(const Eigen::MatrixXd& draws, const Ei
   return {distance, bar};
 }
 
-/// Of a continuous quantity. One that never moved is worth one draw.
-double effective(const Eigen::MatrixXd& draws) { return never_changes(draws) ? 1 : bulk_ess(draws); }
+/// Draws being compared, quantity by quantity.
+class Comparison {
+ public:
+  explicit Comparison(std::uint64_t seed) : rng_(seed) {}
+
+  void add_continuous(const Eigen::MatrixXd& x, const GoldQuantity& truth, const BlockedSample& gold,
+                      double gold_distance) {
+    mean_.add(truth.name, std::abs(x.mean() - truth.mean) / truth.sd,
+              std::hypot(mcse_mean(x), truth.mcse_mean) / truth.sd);
+    const double sd = standard_deviation(x);
+    sd_.add(truth.name, std::abs(std::log(sd / truth.sd)),
+            std::hypot(mcse_sd(x) / sd, truth.mcse_sd / truth.sd));
+    const BlockedSample sample(x, mean_ess(x));
+    wasserstein_.add(truth.name, wasserstein_1(sample.sorted(), gold.sorted()) / truth.sd,
+                     std::hypot(sample.distance_to_law(rng_), gold_distance) / truth.sd);
+    judge(truth.name, x);
+  }
+
+  void add_discrete(const Eigen::MatrixXd& x, const GoldQuantity& truth) {
+    const auto [distance, bar] = total_variation(x, truth.draws);
+    levels_.add(truth.name, distance, bar);
+    // A level that the posterior never leaves asks for no draws.
+    if (!never_changes(x) || !never_changes(truth.draws)) judge(truth.name, x);
+  }
+
+  Accuracy get() const {
+    return {mean_.get(), sd_.get(),     wasserstein_.get(), levels_.get(),
+            least_ess_,  least_ess_of_, largest_rhat_};
+  }
+
+ private:
+  /// What never moved is worth one draw.
+  void judge(const std::string& name, const Eigen::MatrixXd& x) {
+    largest_rhat_ = std::fmax(largest_rhat_, split_rhat(x));
+    const double ess = never_changes(x) ? 1 : bulk_ess(x);
+    if (ess >= least_ess_) return;
+    least_ess_ = ess;
+    least_ess_of_ = name;
+  }
+
+  Worst mean_, sd_, wasserstein_, levels_;
+  double least_ess_ = kNaN, largest_rhat_ = kNaN;
+  std::string least_ess_of_;
+  Rng rng_;
+};
 
 }  // namespace
 
 Accuracy compare(const QuantityDraws& draws, const GoldStandard& gold, std::uint64_t seed) {
-  Accuracy result;
-  Worst mean, sd, wasserstein, levels;
-  Rng rng(seed);
-  result.least_ess = result.largest_rhat = kNaN;
-  const auto judge = [&](const std::string& name, double ess, double rhat) {
-    result.largest_rhat = std::fmax(result.largest_rhat, rhat);
-    if (!(ess < result.least_ess) && !std::isnan(result.least_ess)) return;
-    result.least_ess = ess;
-    result.least_ess_of = name;
-  };
   constexpr Eigen::Index kFewest = 4;  // of a chain, for the diagnostics to say anything
-  if (draws.draws() < kFewest) return {mean.get(), sd.get(), wasserstein.get(), levels.get(), kNaN, "", kNaN};
-  for (std::size_t q = 0; q < draws.continuous.size(); ++q) {
-    const Eigen::MatrixXd& x = draws.continuous[q];
-    const GoldQuantity& truth = gold.continuous()[q];
-    mean.add(truth.name, std::abs(x.mean() - truth.mean) / truth.sd,
-             std::hypot(mcse_mean(x), truth.mcse_mean) / truth.sd);
-    const double own_sd = standard_deviation(x);
-    sd.add(truth.name, std::abs(std::log(own_sd / truth.sd)),
-           std::hypot(mcse_sd(x) / own_sd, truth.mcse_sd / truth.sd));
-    const BlockedSample sample(x, mean_ess(x));
-    wasserstein.add(truth.name, wasserstein_1(sample.sorted(), gold.samples()[q].sorted()) / truth.sd,
-                    std::hypot(sample.distance_to_law(rng), gold.distances_to_law()[q]) / truth.sd);
-    judge(truth.name, effective(x), split_rhat(x));
-  }
-  for (std::size_t q = 0; q < draws.discrete.size(); ++q) {
-    const Eigen::MatrixXd& x = draws.discrete[q];
-    const GoldQuantity& truth = gold.discrete()[q];
-    const auto [distance, bar] = total_variation(x, truth.draws);
-    levels.add(truth.name, distance, bar);
-    // A level that the posterior never leaves asks for no draws.
-    if (never_changes(x) && never_changes(truth.draws)) continue;
-    judge(truth.name, effective(x), split_rhat(x));
-  }
-  result.mean = mean.get();
-  result.sd = sd.get();
-  result.wasserstein = wasserstein.get();
-  result.levels = levels.get();
-  return result;
+  Comparison comparison(seed);
+  if (draws.draws() < kFewest) return comparison.get();
+  for (std::size_t q = 0; q < draws.continuous.size(); ++q)
+    comparison.add_continuous(draws.continuous[q], gold.continuous()[q], gold.samples()[q],
+                              gold.distances_to_law()[q]);
+  for (std::size_t q = 0; q < draws.discrete.size(); ++q)
+    comparison.add_discrete(draws.discrete[q], gold.discrete()[q]);
+  return comparison.get();
 }
 
 }  // namespace patina

@@ -84,6 +84,9 @@ class Charter {
     make_folder(folder);
     const std::vector<std::string> names = problem_.names();
     if (auto known = read_gold(folder, names, fingerprint_, plan_.gold)) return *known;
+    if (there_)
+      throw UserError("The gold standard of the chart in " + directory_.string() +
+                      " is gone or was drawn in another way (--gold-minutes): choose another --out.");
     tell("drawing the gold standard");
     write_gold(folder, draw_gold(problem_, plan_.gold), names, fingerprint_, plan_.gold);
     return read_gold(folder, names, fingerprint_, plan_.gold).value();

@@ -144,7 +144,7 @@ TEST(Chart, makes_a_setting_anew_that_means_something_else_and_keeps_those_that_
   EXPECT_EQ(rows[1].setting.kernel, "nuts");
 }
 
-TEST(Chart, refuses_a_folder_with_the_chart_of_another_target_or_seed) {
+TEST(Chart, refuses_a_folder_with_the_chart_of_another_target_gold_standard_or_seed) {
   const TemporaryFolder folder;
   const GaussianProblem problem, other({0.2, 0.3, 0.5});
   ChartPlan plan = small_plan({quick_setting()});
@@ -152,6 +152,9 @@ TEST(Chart, refuses_a_folder_with_the_chart_of_another_target_or_seed) {
   make_chart(problem, plan, folder.path());
   const std::string gold = read_file(folder.path() / "gold" / "gold.csv");
   EXPECT_THROW(make_chart(other, plan, folder.path()), UserError);
+  ChartPlan longer = plan;
+  longer.gold.trial.draws += 10;
+  EXPECT_THROW(make_chart(problem, longer, folder.path()), UserError);
   plan.trial.seed = plan.gold.trial.seed = 8;
   EXPECT_THROW(make_chart(problem, plan, folder.path()), UserError);
   EXPECT_EQ(read_file(folder.path() / "gold" / "gold.csv"), gold) << "and leaves it as it was";
