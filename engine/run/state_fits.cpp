@@ -16,8 +16,9 @@ bool fits(const Position& position, const LogDensity& target) {
 }
 
 bool fits(const ChainState& state, const LogDensity& target) {
+  const Eigen::Index gradient = state.evaluation.gradient.size();  // 0: left out
   return fits(state.position, target) && std::isfinite(state.evaluation.log_density) &&
-         state.evaluation.gradient.size() == target.dimension();
+         (gradient == 0 || gradient == target.dimension());
 }
 
 bool fits(const std::shared_ptr<const Metric>& metric, const LogDensity& target) {

@@ -8,7 +8,8 @@
 
 namespace patina {
 
-/// Where a chain is. The evaluation is kept so that the next transition starts without one.
+/// Where a chain is. The evaluation is kept so that the next transition starts without one. A move that needs
+/// no gradient may leave none; complete() makes up for it when one is needed.
 struct ChainState {
   Position position;
   Evaluation evaluation;

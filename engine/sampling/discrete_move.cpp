@@ -23,7 +23,7 @@ class DiscreteMove final : public Kernel {
 
     proposal.evaluation = value_finite(target, proposal.position);
     const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
-    return metropolis_step_by_value(MoveKind::discrete, log_ratio, target, std::move(proposal), state, rng);
+    return metropolis_step(MoveKind::discrete, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
   }
 
   double target_acceptance() const override { return 0; }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +24,8 @@ class Hmc final : public Kernel {
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
     assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
+    const std::optional<int> completed = complete(target, state);
+    if (!completed) return held(state);
     const double step = settings.step_size * draw_share(rng);
     const int steps = draw_steps(step, rng);
     PhasePoint point{state, rng.normals(state.position.continuous.size())};
@@ -42,7 +45,7 @@ class Hmc final : public Kernel {
     TransitionInfo info = metropolis_step(MoveKind::continuous, divergent ? -kInfinity : before - after,
                                           kInfinity, std::move(point.state), state, rng);
     info.divergent |= divergent;
-    info.evaluations = taken;
+    info.evaluations = taken + *completed;
     info.energy = info.accepted ? after : before;
     return info;
   }

@@ -2,12 +2,14 @@
 #include <utility>
 
 #include "engine/sampling/leapfrog.h"
+#include "engine/sampling/metropolis.h"
 #include "engine/sampling/warmup.h"
 
 namespace patina {
 
-double initial_step_size(const LogDensity& target, const KernelSettings& settings, const ChainState& state,
+double initial_step_size(const LogDensity& target, const KernelSettings& settings, ChainState state,
                          Rng& rng) {
+  if (!complete(target, state)) return settings.step_size;
   constexpr int kMostTries = 30;
   const double accepted = std::log(0.8);
   double step = settings.step_size;

@@ -21,7 +21,7 @@ std::unique_ptr<Kernel> make_random_walk();
 /// @param careful      probability of a trajectory of steps a tenth to the whole of what warm-up says, which
 ///                     also leaves places that are narrower than where warm-up learnt the length
 /// @throws std::invalid_argument unless length and steps are positive and careful is in [0, 1)
-std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 24, double careful = 0.3);
+std::unique_ptr<Kernel> make_hmc(double path_length = 1.5, int most_steps = 24, double careful = 0.15);
 
 /// The no-U-turn sampler (Hoffman & Gelman 2014) as Stan has it: multinomial draws and the generalised
 /// criterion of Betancourt 2017 ("A conceptual introduction to Hamiltonian Monte Carlo", appendix A).

@@ -12,7 +12,8 @@ struct Position {
   Eigen::VectorXi discrete;
 };
 
-/// Value and gradient (with respect to the continuous coordinates; zero along jagged ones) of a log density.
+/// Value and gradient (with respect to the continuous coordinates; zero along jagged ones; empty where nobody
+/// asked for it, see LogDensity::value()) of a log density.
 struct Evaluation {
   double log_density = 0;
   Eigen::VectorXd gradient;

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
@@ -18,10 +19,15 @@ class Mala final : public Kernel {
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
     assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
+    const std::optional<int> completed = complete(target, state);
+    if (!completed) return held(state);
     ChainState proposal{propose(settings, state, rng), {}};
     proposal.evaluation = evaluate_finite(target, proposal.position);
     const double log_ratio = mala_log_ratio(settings, state, proposal);
-    return metropolis_step(MoveKind::continuous, log_ratio, kDivergentFall, std::move(proposal), state, rng);
+    TransitionInfo info =
+        metropolis_step(MoveKind::continuous, log_ratio, kDivergentFall, std::move(proposal), state, rng);
+    info.evaluations += *completed;
+    return info;
   }
 
   /// Roberts & Rosenthal 1998: the optimum of MALA as the dimension grows.

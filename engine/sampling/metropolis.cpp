@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
@@ -26,19 +25,18 @@ TransitionInfo metropolis_step(MoveKind move, double log_ratio, double divergent
   return info;
 }
 
-TransitionInfo metropolis_step_by_value(MoveKind move, double log_ratio, const LogDensity& target,
-                                        ChainState proposal, ChainState& state, Rng& rng) {
-  const ChainState before = state;
-  TransitionInfo info = metropolis_step(move, log_ratio, std::numeric_limits<double>::infinity(),
-                                        std::move(proposal), state, rng);
-  if (!info.accepted || state.evaluation.gradient.size() == state.position.continuous.size()) return info;
-  state.evaluation = evaluate_finite(target, state.position);
-  ++info.evaluations;
-  if (!std::isfinite(state.evaluation.log_density)) {
-    state = before;
-    info.accepted = false;
-    info.accept_probability = 0;
-  }
+std::optional<int> complete(const LogDensity& target, ChainState& state) {
+  if (state.evaluation.gradient.size() == state.position.continuous.size()) return 0;
+  Evaluation whole = evaluate_finite(target, state.position);
+  if (!std::isfinite(whole.log_density)) return std::nullopt;
+  state.evaluation = std::move(whole);
+  return 1;
+}
+
+TransitionInfo held(const ChainState& state) {
+  TransitionInfo info;
+  info.divergent = true;
+  info.evaluations = 1;
   info.energy = -state.evaluation.log_density;
   return info;
 }

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <limits>
+#include <optional>
+
 #include "engine/sampling/chain_state.h"
 #include "engine/sampling/log_density.h"
 #include "engine/sampling/rng.h"
 
 namespace patina {
+
+/// For moves that follow no path which they could lose: far falls are what proposals from afar make.
+constexpr double kNeverDivergent = std::numeric_limits<double>::infinity();
 
 /// The Metropolis-Hastings decision (Hastings 1970): replaces `state` by `proposal` with probability
 /// min(1, exp(log_ratio)), else leaves it as it is. A proposal whose log density is not finite, or a ratio
@@ -14,10 +20,12 @@ namespace patina {
 TransitionInfo metropolis_step(MoveKind move, double log_ratio, double divergent_below, ChainState proposal,
                                ChainState& state, Rng& rng);
 
-/// The same for a proposal of which value_finite() may have left the gradient empty: it is evaluated once the
-/// proposal is accepted, and a gradient that is not finite then rejects it after all. Never flagged
-/// divergent: a proposal drawn from afar is just a bad one.
-TransitionInfo metropolis_step_by_value(MoveKind move, double log_ratio, const LogDensity& target,
-                                        ChainState proposal, ChainState& state, Rng& rng);
+/// For gradient kernels, before anything else: evaluates the gradient that an earlier move left out.
+/// @return the evaluations that it took, 0 or 1; nothing where the gradient is not finite. The state is to be
+/// held() then: a gradient kernel never leads there, so it must not lead away either.
+std::optional<int> complete(const LogDensity& target, ChainState& state);
+
+/// The transition that stays where it is, flagged divergent.
+TransitionInfo held(const ChainState& state);
 
 }  // namespace patina

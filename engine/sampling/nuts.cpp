@@ -3,12 +3,14 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/leapfrog.h"
+#include "engine/sampling/metropolis.h"
 
 namespace patina {
 namespace {
@@ -148,7 +150,11 @@ class Nuts final : public Kernel {
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
     assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
-    return Trajectory(target, settings, state, rng).run(deepest_, state);
+    const std::optional<int> completed = complete(target, state);
+    if (!completed) return held(state);
+    TransitionInfo info = Trajectory(target, settings, state, rng).run(deepest_, state);
+    info.evaluations += *completed;
+    return info;
   }
 
   double target_acceptance() const override { return 0.8; }  // Stan's

@@ -1,5 +1,4 @@
 #include <cassert>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -18,10 +17,8 @@ class RandomWalk final : public Kernel {
     ChainState proposal{state.position, {}};
     Eigen::VectorXd& x = proposal.position.continuous;
     x += settings.step_size * settings.metric->colour(rng.normals(x.size()));
-    proposal.evaluation = evaluate_finite(target, proposal.position);
+    proposal.evaluation = value_finite(target, proposal.position);
     const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
-    // It follows no path that it could lose: far falls are what a random walk makes.
-    constexpr double kNeverDivergent = std::numeric_limits<double>::infinity();
     return metropolis_step(MoveKind::continuous, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
   }
 

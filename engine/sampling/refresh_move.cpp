@@ -62,7 +62,7 @@ class RefreshMove final : public Kernel {
     // The proposal is reversible with respect to N(0, I), whatever the share.
     const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density +
                              0.5 * (there.squaredNorm() - here.squaredNorm());
-    return metropolis_step_by_value(MoveKind::refresh, log_ratio, target, std::move(proposal), state, rng);
+    return metropolis_step(MoveKind::refresh, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
   }
 
   double target_acceptance() const override { return 0; }

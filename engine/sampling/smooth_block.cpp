@@ -1,8 +1,10 @@
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/metropolis.h"
 
 namespace patina {
 namespace {
@@ -49,12 +51,15 @@ class SmoothBlock final : public Kernel {
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
+    const std::optional<int> completed = complete(target, state);
+    if (!completed) return held(state);
     const Indices smooth = smooth_coordinates(target);
     const Conditional conditional(target, smooth, state.position);
     const KernelSettings block{settings.step_size, settings.metric->conditional(smooth)};
     ChainState inner{{state.position.continuous(smooth), {}},
                      {state.evaluation.log_density, state.evaluation.gradient(smooth)}};
-    const TransitionInfo info = kernel_->step(conditional, block, inner, rng);
+    TransitionInfo info = kernel_->step(conditional, block, inner, rng);
+    info.evaluations += *completed;
     if (info.accepted) {
       state.position = conditional.whole(inner.position);
       state.evaluation.log_density = inner.evaluation.log_density;

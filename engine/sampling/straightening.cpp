@@ -145,6 +145,7 @@ Evaluation Straightening::density_of_y(const Eigen::VectorXd& y, const Evaluatio
 
 Evaluation Straightening::density_of_x(const Eigen::VectorXd& y, const Evaluation& of_y) const {
   const double lead = y[lead_];
+  if (of_y.gradient.size() == 0) return {of_y.log_density - log_width(lead).sum(), {}};
   const Eigen::VectorXd width = log_width(lead).array().exp(), widening = log_width_slope(lead);
   Evaluation of_x{of_y.log_density - log_width(lead).sum(), of_y.gradient.cwiseQuotient(width)};
   // Neither the middle nor the width of the lead itself has a slope, so that its own entry plays no part.

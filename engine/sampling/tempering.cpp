@@ -33,16 +33,19 @@ double TemperedDensity::tempered_value(const Position& position, double of_targe
 
 ChainState TemperedDensity::tempered(const ChainState& state) const {
   const Position& x = state.position;
-  return {
-      x,
-      {tempered_value(x, state.evaluation.log_density), beta_ * state.evaluation.gradient + prior_pull(x)}};
+  Evaluation tempered{tempered_value(x, state.evaluation.log_density), {}};
+  if (state.evaluation.gradient.size() > 0)
+    tempered.gradient = beta_ * state.evaluation.gradient + prior_pull(x);
+  return {x, std::move(tempered)};
 }
 
 ChainState TemperedDensity::untempered(const ChainState& state) const {
   const Position& x = state.position;
-  return {x,
-          {(state.evaluation.log_density + (1 - beta_) * 0.5 * x.continuous.squaredNorm()) / beta_,
-           (state.evaluation.gradient - prior_pull(x)) / beta_}};
+  Evaluation plain{(state.evaluation.log_density + (1 - beta_) * 0.5 * x.continuous.squaredNorm()) / beta_,
+                   {}};
+  if (state.evaluation.gradient.size() > 0)
+    plain.gradient = (state.evaluation.gradient - prior_pull(x)) / beta_;
+  return {x, std::move(plain)};
 }
 
 Evaluation TemperedDensity::evaluate(const Position& position) const {
@@ -54,7 +57,6 @@ Evaluation TemperedDensity::evaluate(const Position& position) const {
 Evaluation TemperedDensity::value(const Position& position) const {
   Evaluation of_target = value_finite(target_, position);
   if (!std::isfinite(of_target.log_density)) return of_target;
-  if (of_target.gradient.size() == 0) return {tempered_value(position, of_target.log_density), {}};
   return tempered({position, std::move(of_target)}).evaluation;
 }
 

@@ -27,7 +27,7 @@ std::vector<WarmupWindow> warmup_schedule(int iterations);
 /// settings.step_size until the acceptance probability of one leapfrog step crosses 0.8. Takes a handful of
 /// evaluations.
 /// @param state  of finite log density
-double initial_step_size(const LogDensity& target, const KernelSettings& settings, const ChainState& state,
+double initial_step_size(const LogDensity& target, const KernelSettings& settings, ChainState state,
                          Rng& rng);
 
 /// What one chain brings to the end of a window.

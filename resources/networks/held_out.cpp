@@ -32,12 +32,13 @@ void LabelledImages::add(const at::Tensor& image, const std::string& material) {
   materials.push_back(material);
 }
 
-LabelledImages held_out_renders(int draws_per_material, int side) {
+LabelledImages held_out_renders(int draws_per_material, int side, std::uint64_t first) {
   std::vector<Recipe> recipes;
   for (const std::string& material : material_names())
     for (int draw = 0; draw < draws_per_material; ++draw) {
-      Rng rng(static_cast<std::uint64_t>(draw));
-      recipes.push_back(draw_recipe(material, static_cast<std::uint64_t>(draw) + 1, rng));
+      const std::uint64_t seed = first + static_cast<std::uint64_t>(draw);
+      Rng rng(seed);
+      recipes.push_back(draw_recipe(material, seed + 1, rng));
     }
   LabelledImages result{render_all(recipes, side), {}};
   for (const Recipe& recipe : recipes) result.materials.push_back(recipe.material);

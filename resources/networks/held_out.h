@@ -20,7 +20,8 @@ struct LabelledImages {
 
 /// Renders of prior draws of every material, none of which a network was trained on (training_images.h takes
 /// other irregularities).
-LabelledImages held_out_renders(int draws_per_material, int side);
+/// @param first  draw k of a material comes from seed first + k and shows irregularities first + k + 1
+LabelledImages held_out_renders(int draws_per_material, int side, std::uint64_t first = 0);
 
 using Pair = std::pair<std::size_t, std::size_t>;
 

@@ -1,5 +1,5 @@
 // How alike two networks rank pairs of images by their Gram distance:
-//   rank-networks A B [--draws N] [--pairs N] [--time SIDE] [IMAGE | FOLDER]...
+//   rank-networks A B [--draws N [--first K]] [--pairs N] [--time SIDE] [IMAGE | FOLDER]...
 // prints Spearman's correlation over all pairs of each folder, of N renders of prior draws of each material,
 // of all images together, and, with its standard error, of N pairs of them (held_out.h). A and B are files
 // that patina-cli --network takes. What an image shows is its name up to the first underscore: leather_3.jpg.
@@ -26,8 +26,8 @@
 namespace patina {
 namespace {
 
-constexpr int kSide = 256;  // pixels
-constexpr std::uint64_t kSeed = 500;
+constexpr int kSide = 256;            // pixels
+constexpr std::uint64_t kSeed = 500;  // of the pairs
 
 /// Gram matrices of a set of images, by one network.
 class Judge {
@@ -130,17 +130,19 @@ int rank(int argc, char** argv) {
   std::vector<std::filesystem::path> paths;
   int draws = 0, side = 0;
   std::size_t pairs = 0;
+  std::uint64_t first = 0;
   app.add_option("A", a, "A network file")->required();
   app.add_option("B", b, "Another")->required();
   app.add_option("IMAGES", paths, "Photos, or folders of them");
   app.add_option("--draws", draws, "Renders of prior draws of each material")->check(CLI::Range(0, 1000));
+  app.add_option("--first", first, "Which draws: from this seed on")->check(CLI::Range(0, 1000000));
   app.add_option("--pairs", pairs, "How many pairs of all these images to draw");
   app.add_option("--time", side, "Measure speed at this resolution")->check(CLI::Range(16, 4096));
   CLI11_PARSE(app, argc, argv);
 
   if (side > 0) report_times(a, b, side);
   const at::NoGradGuard no_grad;
-  LabelledImages images = held_out_renders(draws, kSide);
+  LabelledImages images = held_out_renders(draws, kSide, first);
   std::vector<Group> groups;
   for (std::size_t i = 0; i < images.images.size(); i += static_cast<std::size_t>(draws))
     groups.push_back({"draws of " + images.materials[i], i, i + static_cast<std::size_t>(draws)});
@@ -150,7 +152,7 @@ int rank(int argc, char** argv) {
   for (const Group& group : groups) judges.report(group.name, all_pairs(group.begin, group.end));
   judges.report("all", all_pairs(0, images.images.size()));
   if (pairs > 0)
-    judges.report_with_error(held_out_pairs(images.materials, pairs, kSeed), images.images.size());
+    judges.report_with_error(held_out_pairs(images.materials, pairs, kSeed + first), images.images.size());
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include <ATen/ops/bmm.h>
 #include <ATen/ops/conv2d.h>
 #include <ATen/ops/linalg_vector_norm.h>
+#include <ATen/ops/nonzero.h>
 #include <ATen/ops/randn.h>
 #include <ATen/ops/reflection_pad2d.h>
 #include <ATen/ops/relu.h>
@@ -30,6 +31,22 @@ at::Tensor normalised(const at::Tensor& images) {
 
 at::Tensor per_channel(const at::Tensor& x) { return x.view({-1, 1, 1, 1}); }
 
+constexpr double kAlive = 1e-3;  // share of pixels at which a channel is on
+
+at::Tensor random_filters(std::int64_t out, std::int64_t in, at::Generator& generator) {
+  return at::randn({out, in, 3, 3}, generator) * std::sqrt(2.0 / (9.0 * static_cast<double>(in)));
+}
+
+/// What brings a response [b, c, n, n] to mean 0 and variance 1 in every channel: x / sd - mean / sd.
+struct Standardisation {
+  at::Tensor scale, shift;
+};
+
+Standardisation standardise(const at::Tensor& response) {
+  const at::Tensor mean = response.mean({0, 2, 3}), sd = response.std({0, 2, 3}).clamp_min(1e-3);
+  return {1 / sd, -mean / sd};
+}
+
 std::string tensor_name(std::size_t level, std::size_t convolution) {
   return "level" + std::to_string(level + 1) + "." + std::to_string(convolution + 1);
 }
@@ -50,13 +67,11 @@ Student::Student(const std::vector<std::vector<std::int64_t>>& levels, const at:
     levels_.emplace_back();
     for (const std::int64_t out : level) {
       const std::int64_t in = trunk.size(1);
-      at::Tensor weight =
-          at::randn({out, in, 3, 3}, generator) * std::sqrt(2.0 / (9.0 * static_cast<double>(in)));
+      at::Tensor weight = random_filters(out, in, generator);
       if (in == 3)
         for (std::int64_t i = 0; i < out; i += 2) weight[i] -= weight[i].mean({1, 2}, /*keepdim=*/true);
-      const at::Tensor response = Convolution{weight, at::zeros({out})}(trunk);
-      const at::Tensor mean = response.mean({0, 2, 3}), sd = response.std({0, 2, 3}).clamp_min(1e-3);
-      levels_.back().push_back({weight / per_channel(sd), -mean / sd});
+      const Standardisation to = standardise(Convolution{weight, at::zeros({out})}(trunk));
+      levels_.back().push_back({weight * per_channel(to.scale), to.shift});
       trunk = at::relu(levels_.back().back()(trunk));
     }
   }
@@ -98,6 +113,31 @@ std::vector<at::Tensor> Student::grams(const at::Tensor& images) const {
     grams.push_back((at::bmm(flat.transpose(1, 2), flat) / pixels).flatten(1));
   }
   return grams;
+}
+
+int Student::revive(const at::Tensor& images, std::uint64_t seed) {
+  const at::NoGradGuard no_grad;
+  at::Generator generator = at::detail::createCPUGenerator(seed);
+  at::Tensor trunk = normalised(images), revived;
+  int count = 0;
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    if (level > 0) trunk = at::avg_pool2d(trunk, {2, 2});
+    for (Convolution& convolution : levels_[level]) {
+      if (revived.defined()) convolution.weight.index_fill_(1, revived, 0);
+      const at::Tensor response = convolution(trunk);
+      revived = at::nonzero((response > 0).to(at::kFloat).mean({0, 2, 3}) < kAlive).flatten();
+      const double size = response.std({0, 2, 3}).median().item<double>();
+      if (const std::int64_t dead = revived.size(0); dead > 0) {
+        const at::Tensor weight = random_filters(dead, trunk.size(1), generator);
+        const Standardisation to = standardise(Convolution{weight, at::zeros({dead})}(trunk));
+        convolution.weight.index_copy_(0, revived, size * weight * per_channel(to.scale));
+        convolution.bias.index_copy_(0, revived, size * to.shift);
+        count += static_cast<int>(dead);
+      }
+      trunk = at::relu(convolution(trunk));
+    }
+  }
+  return count;
 }
 
 void Student::balance(const at::Tensor& images) {

@@ -30,6 +30,10 @@ class Student {
   /// Gram matrices of all taps. @return for each tap [b, c c]
   std::vector<at::Tensor> grams(const at::Tensor& images) const;
 
+  /// Gives channels that hardly any pixel of these images turns on new random weights, as large as the
+  /// others' at their level; what reads them begins with 0. @return how many
+  int revive(const at::Tensor& images, std::uint64_t seed);
+
   /// Rescales weights, which changes no relative distance: the mean norm of every tap's Gram matrix over
   /// these images becomes 1.
   void balance(const at::Tensor& images);

@@ -119,6 +119,8 @@ int run(int argc, char** argv) {
                         : Student(read_safetensors(options.start));
   if (student.grams(images.slice(0, 0, 1)).size() != static_cast<std::size_t>(sets[0].distances.size(0)))
     throw UserError("A network needs as many levels as the one that it learns from has taps.");
+  if (const int revived = student.revive(images, options.training.seed); revived > 0)
+    std::printf("%d channels were dead and begin anew\n", revived);
   train(student, sets, options.training, [&](const TrainingReport& report) {
     std::printf("%6.0f s  step %5d  loss %.4f  Spearman", seconds(), report.step, report.loss);
     for (const double r : report.rank_correlation) std::printf(" %.4f", r);

@@ -1,4 +1,4 @@
-// Moves that need no gradient ask for the value alone, and for the gradient where they end.
+// Moves that need no gradient ask for the value alone; whoever needs one later asks for it then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,10 +30,11 @@ class Counted final : public LogDensity {
     Evaluation evaluation = evaluate(p);
     if (!leaves_gradient_out_) return evaluation;
     --evaluations;
+    ++values;
     return {evaluation.log_density, {}};
   }
 
-  mutable int evaluations = 0;
+  mutable int evaluations = 0, values = 0;  ///< with gradient, without
 
  private:
   bool leaves_gradient_out_;
@@ -42,46 +43,67 @@ class Counted final : public LogDensity {
 
 struct Walk {
   Eigen::MatrixXd places;  ///< [transitions, 2]
-  int accepted = 0, evaluations = 0, told = 0;
+  int evaluations = 0, values = 0, told = 0;
 };
 
-Walk walk(const Counted& target, const Kernel& kernel, const KernelSettings& settings) {
+Walk walk(const Counted& target, const Kernel& kernel) {
   constexpr int kTransitions = 2000;
-  Walk walk{Eigen::MatrixXd(kTransitions, 2), 0, 0, 0};
+  const KernelSettings settings = settings_with(0.5, Eigen::Matrix2d::Identity());
+  Walk walk{Eigen::MatrixXd(kTransitions, 2)};
   ChainState state = state_at(target, {Eigen::Vector2d(-0.2, 0.1), Eigen::VectorXi::Zero(1)});
-  target.evaluations = 0;
+  target.evaluations = target.values = 0;
   Rng rng(8);
   for (int t = 0; t < kTransitions; ++t) {
-    const TransitionInfo info = kernel.step(target, settings, state, rng);
-    EXPECT_EQ(state.evaluation.gradient.size(), 2);
+    walk.told += kernel.step(target, settings, state, rng).evaluations;
     walk.places.row(t) = state.position.continuous.transpose();
-    walk.accepted += info.accepted;
-    walk.told += info.evaluations;
   }
   walk.evaluations = target.evaluations;
+  walk.values = target.values;
   return walk;
 }
 
-TEST(Value, leaving_the_gradient_out_changes_no_draw_and_saves_that_of_every_rejected_proposal) {
-  const KernelSettings settings = settings_with(1, Eigen::Matrix2d::Identity());
-  const auto refresh = make_refresh_move(), levels = make_single_discrete_move();
-  for (const Kernel* kernel : {refresh.get(), levels.get()}) {
-    const Counted lazy(true), eager(false);
-    const Walk once = walk(lazy, *kernel, settings), again = walk(eager, *kernel, settings);
-    EXPECT_EQ(once.places, again.places);
-    EXPECT_EQ(once.evaluations, once.accepted);
-    EXPECT_LT(once.evaluations, 2000);
-    EXPECT_EQ(again.told, again.evaluations);
-    EXPECT_EQ(once.told, 2000 + once.accepted) << "values count as evaluations";
+TEST(Value, moves_without_gradient_make_the_same_draws_from_values_alone) {
+  const auto refresh = make_refresh_move(), levels = make_single_discrete_move(), random = make_random_walk();
+  for (const Kernel* kernel : {refresh.get(), levels.get(), random.get()}) {
+    const Walk lazy = walk(Counted(true), *kernel), eager = walk(Counted(false), *kernel);
+    EXPECT_EQ(lazy.places, eager.places);
+    EXPECT_EQ(lazy.evaluations, 0);
+    EXPECT_EQ(lazy.values, 2000);
+    EXPECT_EQ(lazy.told, 2000) << "values count as evaluations";
+    EXPECT_EQ(eager.told, eager.evaluations);
   }
 }
 
-TEST(Value, a_gradient_that_is_not_finite_rejects_a_proposal_whose_value_was_accepted) {
-  const Counted target(true, 0.3);
-  const auto refresh = make_refresh_move();
-  const Walk walked = walk(target, *refresh, settings_with(1, Eigen::Matrix2d::Identity()));
-  EXPECT_LE(walked.places.col(0).maxCoeff(), 0.3);
-  EXPECT_LT(walked.accepted, walked.evaluations) << "some were turned back";
+TEST(Value, gradient_kernels_make_up_for_a_gradient_that_was_left_out_once_and_draw_the_same) {
+  for (const char* name : {"mala", "hmc", "nuts"}) {
+    const Counted left_out(true), always(false);
+    const auto kernel = make_kernel(name, left_out, /*alpha=*/0.8, /*refresh=*/0.5);
+    const Walk lazy = walk(left_out, *kernel), eager = walk(always, *kernel);
+    EXPECT_EQ(lazy.places, eager.places) << name;
+    EXPECT_LT(lazy.evaluations, eager.evaluations) << name;
+    EXPECT_EQ(lazy.told, lazy.evaluations + lazy.values) << name;
+  }
+}
+
+TEST(Value, gradient_kernels_hold_a_state_whose_gradient_is_not_finite_as_they_never_lead_to_one) {
+  const Counted target(true, /*broken_above=*/0.3);
+  const KernelSettings settings = settings_with(0.5, Eigen::Matrix2d::Identity());
+  for (const char* name : {"mala", "hmc", "nuts"}) {
+    const auto kernel = make_kernel(name, target, 1);
+    Rng rng(3);
+    const Position there{Eigen::Vector2d(0.5, 0.1), Eigen::VectorXi::Zero(1)};
+    ChainState state{there, target.value(there)};
+    const TransitionInfo info = kernel->step(target, settings, state, rng);
+    EXPECT_FALSE(info.accepted);
+    EXPECT_TRUE(info.divergent);
+    EXPECT_EQ(state.position.continuous, there.continuous);
+    EXPECT_EQ(state.evaluation.log_density, target.value(there).log_density) << "its value stands";
+    state = state_at(target, {Eigen::Vector2d(0.2, 0.1), Eigen::VectorXi::Zero(1)});
+    for (int t = 0; t < 200; ++t) {
+      kernel->step(target, settings, state, rng);
+      ASSERT_LE(state.position.continuous[0], 0.3) << name;
+    }
+  }
 }
 
 }  // namespace

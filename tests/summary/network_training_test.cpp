@@ -64,6 +64,27 @@ TEST_F(NetworkTraining, AStudentsFileComputesWhatTheStudentDoesBalancedOrNot) {
   }
 }
 
+TEST_F(NetworkTraining, RevivesDeadChannelsAndLeavesTheOthersAsTheyAre) {
+  const at::NoGradGuard no_grad;
+  const at::Tensor some = at::stack(images(3));
+  const Student before({{4}, {6, 5}, {3}}, some, 1);
+  SafeTensors dying = before.to_file("s");
+  dying.tensors.at("level2.1.bias")[2] = -100;
+  dying.tensors.at("level2.2.bias")[4] = -100;
+  Student student(dying);
+  const std::vector<at::Tensor> with_dead = student.grams(some);
+  EXPECT_EQ(with_dead[1].view({3, 5, 5}).select(1, 4).abs().max().item<float>(), 0);
+  EXPECT_EQ(student.revive(some, 1), 2);
+  const std::vector<at::Tensor> after = student.grams(some);
+  EXPECT_GT(after[1].view({3, 5, 5}).select(1, 4).select(1, 4).min().item<float>(), 0);
+  const auto living = [](const at::Tensor& grams) {
+    return grams.view({3, 5, 5}).narrow(1, 0, 4).narrow(2, 0, 4);
+  };
+  EXPECT_TRUE(living(after[1]).allclose(living(with_dead[1]))) << "nothing reads a new channel yet";
+  EXPECT_TRUE(after[2].allclose(with_dead[2]));
+  EXPECT_EQ(student.revive(some, 1), 0);
+}
+
 TEST_F(NetworkTraining, ASetsDistancesAreGramDistances) {
   const Network teacher = small_teacher();
   const std::vector<at::Tensor> some = images(4);
