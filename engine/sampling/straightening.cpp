@@ -13,7 +13,15 @@ namespace patina {
 namespace {
 
 constexpr Eigen::Index kLeastDraws = 300;
-constexpr double kLeastGain = 0.2;  // nats a draw
+
+/// How finely a ridge is followed. More knots follow a kink where five cut its corner, and need more draws to
+/// tell a bend from chance.
+struct Detail {
+  Eigen::Index knots;
+  Eigen::Index least_draws;
+  double least_gain;  ///< nats a draw
+};
+constexpr std::array kDetails{Detail{9, 1000, 0.3}, Detail{5, kLeastDraws, 0.2}};
 
 /// Draws side by side: dimension x all draws.
 Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& chains) {
@@ -30,15 +38,17 @@ Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& chains) {
 
 /// Knots at quantiles, the outer ones near the ends: beyond them the map knows no width. None where draws
 /// that repeat make two of them fall together.
-std::optional<NaturalSplineBasis> basis_for(std::vector<double> values) {
-  constexpr std::array<double, 5> kQuantiles{0.01, 0.25, 0.5, 0.75, 0.99};
+std::optional<NaturalSplineBasis> basis_for(std::vector<double> values, Eigen::Index count) {
+  constexpr double kEnd = 0.01;
   std::ranges::sort(values);
-  Eigen::VectorXd knots(5);
-  for (std::size_t k = 0; k < 5; ++k)
-    knots[static_cast<Eigen::Index>(k)] =
-        values[static_cast<std::size_t>(kQuantiles[k] * static_cast<double>(values.size() - 1))];
-  const double least = 1e-3 * (knots[4] - knots[0]);
-  for (Eigen::Index k = 1; k < 5; ++k)
+  Eigen::VectorXd knots(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double even = static_cast<double>(k) / static_cast<double>(count - 1);
+    const double quantile = std::clamp(even, kEnd, 1 - kEnd);
+    knots[k] = values[static_cast<std::size_t>(quantile * static_cast<double>(values.size() - 1))];
+  }
+  const double least = 1e-3 * (knots[count - 1] - knots[0]);
+  for (Eigen::Index k = 1; k < count; ++k)
     if (!(knots[k] - knots[k - 1] > least)) return std::nullopt;
   return NaturalSplineBasis(knots);
 }
@@ -79,9 +89,9 @@ struct Candidate {
 };
 
 /// The map along one coordinate. @param draws draws x dimension
-Candidate straightening_along(Eigen::Index lead, const Eigen::MatrixXd& draws,
-                              const std::vector<bool>& fixed) {
-  const auto basis = basis_for({draws.col(lead).begin(), draws.col(lead).end()});
+Candidate straightening_along(Eigen::Index lead, const Eigen::MatrixXd& draws, const std::vector<bool>& fixed,
+                              const Detail& detail) {
+  const auto basis = basis_for({draws.col(lead).begin(), draws.col(lead).end()}, detail.knots);
   if (!basis) return {};
   Eigen::MatrixXd terms(draws.rows(), basis->size()), inside = terms;
   for (Eigen::Index i = 0; i < draws.rows(); ++i) {
@@ -94,7 +104,7 @@ Candidate straightening_along(Eigen::Index lead, const Eigen::MatrixXd& draws,
   for (Eigen::Index j = 0; j < draws.cols(); ++j) {
     if (j == lead || (!fixed.empty() && fixed[static_cast<std::size_t>(j)])) continue;
     const Bend bend = fit_bend(terms, inside, draws.col(j));
-    if (!std::isfinite(bend.gain) || bend.gain < kLeastGain) continue;
+    if (!std::isfinite(bend.gain) || bend.gain < detail.least_gain) continue;
     gain += bend.gain;
     coefficients.middle.col(j) = bend.middle;
     coefficients.log_width.col(j) = bend.log_width;
@@ -169,12 +179,14 @@ Eigen::MatrixXd Straightening::covariance_in_x(double lead, const Eigen::MatrixX
 std::shared_ptr<const Straightening> fit_straightening(const std::vector<Eigen::MatrixXd>& chains,
                                                        const std::vector<bool>& fixed) {
   const Eigen::MatrixXd draws = joined(chains).transpose();
-  if (draws.rows() < kLeastDraws) return nullptr;
   Candidate best;
-  for (Eigen::Index lead = 0; lead < draws.cols(); ++lead) {
-    if (!fixed.empty() && fixed[static_cast<std::size_t>(lead)]) continue;
-    Candidate candidate = straightening_along(lead, draws, fixed);
-    if (candidate.gain > best.gain) best = std::move(candidate);
+  for (const Detail& detail : kDetails) {
+    if (draws.rows() < detail.least_draws || best.map) continue;
+    for (Eigen::Index lead = 0; lead < draws.cols(); ++lead) {
+      if (!fixed.empty() && fixed[static_cast<std::size_t>(lead)]) continue;
+      Candidate candidate = straightening_along(lead, draws, fixed, detail);
+      if (candidate.gain > best.gain) best = std::move(candidate);
+    }
   }
   return best.map;
 }

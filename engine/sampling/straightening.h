@@ -56,8 +56,8 @@ class Straightening {
 
 /// The map that straightens a sample best, or null if a straight line of one width does about as well: a
 /// coordinate counts as bent along another if knowing its middle and width there, by splines with knots at
-/// five quantiles, makes it better predicted than a line does by 0.2 nats a draw. Less is what draws that
-/// hang together show by chance.
+/// nine quantiles (five below 1000 draws), makes it better predicted than a line does by 0.3 (0.2) nats a
+/// draw. Less is what draws that hang together show by chance.
 /// @param chains  positions of each chain, dimension x draws; below 300 draws in all there is no map
 /// @param fixed   coordinates that take no part; empty: none
 std::shared_ptr<const Straightening> fit_straightening(const std::vector<Eigen::MatrixXd>& chains,

@@ -54,8 +54,10 @@ std::vector<WarmupWindow> warmup_schedule(int iterations) {
   std::vector<WarmupWindow> schedule{{0, first, false}};
   const int slow_end = iterations - last;
   for (int begin = first; begin < slow_end; window *= 2) {
-    // A window that would leave no room for the next, twice as long, takes the rest.
-    const int end = begin + 3 * window > slow_end ? slow_end : begin + window;
+    // A window that would leave no room for the next, twice as long, takes the rest, or half of it if there
+    // is room for two: what is learnt last is learnt where the window before has led.
+    const int rest = slow_end - begin;
+    const int end = rest >= 3 * window ? begin + window : rest >= 2 * window ? begin + rest / 2 : slow_end;
     schedule.push_back({begin, end, true});
     begin = end;
   }

@@ -19,8 +19,10 @@ struct WarmupWindow {
 };
 
 /// Stan's shape: a first window for the step size alone, doubling windows that also adapt the metric, a last
-/// one for the step size. Covers [0, iterations) without gaps; below 20 iterations one window for the step
-/// size alone, for 0 none. As in the Stan reference manual, section "Automatic parameter tuning".
+/// one for the step size; but a last doubling window with room for two is cut in two, the better to learn a
+/// bent ridge, along which chains walk only as far as the map before lets them. Covers [0, iterations)
+/// without gaps; below 20 iterations one window for the step size alone, for 0 none. As in the Stan reference
+/// manual, section "Automatic parameter tuning".
 std::vector<WarmupWindow> warmup_schedule(int iterations);
 
 /// A step size to begin warm-up with (Hoffman & Gelman 2014, algorithm 4): doubles or halves

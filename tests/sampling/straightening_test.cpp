@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/diagnostics/convergence.h"
@@ -162,6 +164,41 @@ TEST(FitStraightening, makes_a_funnel_equally_wide) {
     const auto width = [&](double y) { return map->bend((Eigen::VectorXd(4) << a, y, 0, 0).finished())[1]; };
     EXPECT_NEAR(std::log((width(1) - width(-1)) / 2), 0.5 * a, 0.25) << a;
   }
+}
+
+/// The furthest that the middle of an eighth of the draws is from 0, and its log width from that of 1, along
+/// a ridge with a kink, at which it also becomes five times as narrow: worse of both.
+double worst_eighth(Eigen::Index draws_per_chain) {
+  Rng rng(6);
+  std::vector<Eigen::MatrixXd> chains(4, Eigen::MatrixXd(3, draws_per_chain));
+  for (Eigen::MatrixXd& chain : chains)
+    for (auto x : chain.colwise()) {
+      x = rng.normals(3);
+      x[1] = x[0] > 0 ? 2 * x[0] + 0.1 * x[1] : -x[0] + 0.5 * x[1];
+    }
+  const auto map = fit_straightening(chains);
+  if (!map || map->lead() != 0) return std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, double>> draws;  // lead, straightened
+  for (const Eigen::MatrixXd& chain : chains)
+    for (auto x : chain.colwise()) draws.emplace_back(x[0], map->straighten(x)[1]);
+  std::ranges::sort(draws);
+  const std::size_t eighth = draws.size() / 8;
+  double worst = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    double sum = 0, square = 0;
+    for (std::size_t k = i * eighth; k < (i + 1) * eighth; ++k) {
+      sum += draws[k].second;
+      square += draws[k].second * draws[k].second;
+    }
+    const double n = static_cast<double>(eighth), mean = sum / n;
+    worst = std::max({worst, std::abs(mean), std::abs(0.5 * std::log(square / n - mean * mean))});
+  }
+  return worst;
+}
+
+TEST(FitStraightening, follows_a_kink_once_there_are_draws_enough) {
+  EXPECT_LT(worst_eighth(1000), 0.7);
+  EXPECT_GT(worst_eighth(240), 1.0) << "the control: five knots cut its corner";
 }
 
 /// A ridge bent as that of a height and a power whose product is seen where it does not clip: x0 ~ N(0, 1),

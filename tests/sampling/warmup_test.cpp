@@ -30,7 +30,7 @@ TEST(WarmupSchedule, covers_every_iteration_once_and_in_order) {
   }
 }
 
-TEST(WarmupSchedule, is_stans) {
+TEST(WarmupSchedule, is_stans_but_that_a_last_window_with_room_for_two_is_two) {
   using Ends = std::vector<std::pair<int, bool>>;
   const auto ends = [](int iterations) {
     Ends ends;
@@ -41,8 +41,17 @@ TEST(WarmupSchedule, is_stans) {
   EXPECT_EQ(
       ends(1000),
       (Ends{{75, false}, {100, true}, {150, true}, {250, true}, {450, true}, {950, true}, {1000, false}}));
-  EXPECT_EQ(ends(800), (Ends{{75, false}, {100, true}, {150, true}, {250, true}, {750, true}, {800, false}}))
+  EXPECT_EQ(ends(600), (Ends{{75, false}, {100, true}, {150, true}, {250, true}, {550, true}, {600, false}}))
       << "a window of 200 would leave too little for one of 400";
+  EXPECT_EQ(ends(1500), (Ends{{75, false},
+                              {100, true},
+                              {150, true},
+                              {250, true},
+                              {450, true},
+                              {950, true},
+                              {1450, true},
+                              {1500, false}}))
+      << "where Stan has one of 1000";
   EXPECT_EQ(ends(100), (Ends{{15, false}, {90, true}, {100, false}}));
 }
 
