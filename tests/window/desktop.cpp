@@ -12,10 +12,15 @@
 namespace patina {
 
 struct Desktop::Connection {
-  Display* display = nullptr;
-  ~Connection() {
-    if (display != nullptr) XCloseDisplay(display);
+  Display* display;
+
+  explicit Connection(const std::string& name) : display(XOpenDisplay(name.c_str())) {
+    if (display == nullptr) throw std::runtime_error("no display " + name);
   }
+  ~Connection() { XCloseDisplay(display); }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
   Atom atom(const char* name) const { return XInternAtom(display, name, False); }
 };
 
@@ -40,7 +45,7 @@ class DragSource {
     if (!status || (status->data.l[1] & 1) == 0) return false;
     send("XdndDrop", 0, CurrentTime, 0, 0);
     const auto finished = wait_for("XdndFinished");
-    return finished && (finished->data.l[1] & 1) != 0;
+    return finished && finished->data.l[1] != 0;  // GLFW says how many bytes it took, not 1
   }
 
  private:
@@ -93,10 +98,7 @@ class DragSource {
 }  // namespace
 
 Desktop::Desktop(const std::string& display)
-    : display_(display),
-      connection_(std::make_unique<Connection>(Connection{XOpenDisplay(display.c_str())})) {
-  if (connection_->display == nullptr) throw std::runtime_error("no display " + display);
-}
+    : display_(display), connection_(std::make_unique<Connection>(display)) {}
 
 Desktop::~Desktop() = default;
 

@@ -1,6 +1,7 @@
 #include "tests/window/program.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ Program::Program(const std::vector<std::string>& words, const std::map<std::stri
   arguments.push_back(nullptr);
   id_ = ::fork();
   if (id_ != 0) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that crashes leaves nothing behind
   for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
   if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
   ::execvp(arguments.front(), arguments.data());
