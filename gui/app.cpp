@@ -71,6 +71,7 @@ void App::frame(double longest_wait) {
   handle_keys();
   draw_panels();
   for (const auto& command : std::exchange(commands_, {})) attempt(command);
+  note_step();
   window_.end_frame();
 }
 
@@ -100,9 +101,31 @@ void App::handle_escape() {
     help_open_ = false;
   } else if (banner_.visible()) {
     banner_.dismiss();
+  } else if (!session_.model().marked().empty()) {
+    session_.model().mark({}, Marking::replace);
   } else {
     session_.model().select(std::nullopt);
   }
+}
+
+void App::undo() {
+  if (history_run_ == session_.run_version()) session_.model().restore(history_.undo());
+}
+
+void App::redo() {
+  if (history_run_ == session_.run_version()) session_.model().restore(history_.redo());
+}
+
+void App::note_step() {
+  const ExplorerChoices& choices = session_.model().choices();
+  if (history_run_ != session_.run_version()) {
+    history_ = History<ExplorerChoices>(choices);
+    history_run_ = session_.run_version();
+  }
+  // A gesture is one step, however much it changes on its way.
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool key_down = std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
+  if (!ImGui::IsAnyMouseDown() && !key_down) history_.note(choices);
 }
 
 void App::handle_keys() {
@@ -114,7 +137,10 @@ void App::handle_keys() {
   if (io.WantTextInput || dialog_.visible()) return;
   if (io.KeyCtrl && ImGui::IsKeyPressed('O', false)) ask_to_open();
   if (io.KeyCtrl && ImGui::IsKeyPressed('E', false)) ask_to_export();
+  if (io.KeyCtrl && ImGui::IsKeyPressed('Z')) io.KeyShift ? redo() : undo();
+  if (io.KeyCtrl && ImGui::IsKeyPressed('Y')) redo();
   if (io.InputQueueCharacters.contains(static_cast<ImWchar>('?'))) help_open_ = !help_open_;
+  scatter_.handle_keys(session_.model());
   if (pressed(ImGuiKey_LeftArrow, true)) session_.model().select_better();
   if (pressed(ImGuiKey_RightArrow, true)) session_.model().select_worse();
   if (pressed(ImGuiKey_Space, false) && session_.is_live() && session_.run().can_control()) {

@@ -7,6 +7,7 @@
 
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
+#include "gui/history.h"
 #include "gui/layout.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/error_banner.h"
@@ -51,6 +52,9 @@ class App {
   void handle_keys();
   void handle_escape();
   void draw_panels();
+  void undo();
+  void redo();
+  void note_step();
   void draw_dialogs(const PanelContext& context);
   void ask_to_open();
   void ask_to_export();
@@ -70,6 +74,8 @@ class App {
   MaterialPanel material_;
   DrawPanel draw_;
   Commands commands_;
+  History<ExplorerChoices> history_;  ///< of what the user chose about the run's draws
+  int history_run_ = 0;
   std::optional<ExportRequest> export_request_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,11 @@ class DrawColumns {
   bool divergent(std::size_t draw) const { return (flags_[draw] & kDivergent) != 0; }
   ParameterValues values(std::size_t draw) const;
 
+  /// The first of those with the highest lp, of the draws after warm-up or of all.
+  std::optional<std::size_t> best(bool after_warmup) const {
+    return after_warmup ? best_of_sampling_ : best_of_all_;
+  }
+
   /// Where the draw lies along an axis. Levels of a discrete parameter are spread over +-0.3, each draw by an
   /// amount of its own, so that a cloud can be seen and clicked.
   double place(const PlotAxis& axis, std::size_t draw) const;
@@ -55,7 +61,8 @@ class DrawColumns {
   ChunkedColumn<std::int32_t> chain_;
   ChunkedColumn<std::int64_t> iteration_;
   ChunkedColumn<std::uint8_t> flags_;
-  std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp
+  std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp, iteration
+  std::optional<std::size_t> best_of_all_, best_of_sampling_;
   std::size_t sampling_count_ = 0;
   int chain_count_ = 0;
 };

@@ -1,0 +1,270 @@
+#include "gui/panels/scatter_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gui/gl/imgui_renderer.h"
+#include "gui/panels/marginal_bars.h"
+#include "gui/panels/plot_frame.h"
+#include "gui/theme.h"
+#include "gui/words.h"
+
+namespace patina {
+namespace {
+
+constexpr float kClickReach = 2.0f;           // em
+constexpr float kHoverReach = 0.6f;           // em
+constexpr float kBarRoom = 2.2f;              // em
+constexpr float kBarWidth = 0.5f;             // em
+constexpr std::size_t kMarkedLive = 200'000;  // draws, above which marking waits for the button's release
+
+ImU32 with_alpha(ImU32 color, ImU32 alpha) {
+  return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
+bool is_continuous(const PlotAxis& axis) {
+  return axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
+}
+
+Marking marking_of(const ImGuiIO& io) {
+  return io.KeyShift ? Marking::add : io.KeyCtrl ? Marking::remove : Marking::replace;
+}
+
+}  // namespace
+
+ScatterPlot::ScatterPlot(const Gl& gl) : points_(gl) {}
+
+void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject) {
+  ExplorerModel& model = context.session.model();
+  place_plot(rect);
+  follow_draws(context.session, subject);
+  send_points(model);
+  count_bars(model);
+  draw_plot_ground(view_, model.table(), subject.x, subject.y);
+  const ImVec2 corner{view_.left, view_.top}, end{view_.left + view_.width, view_.top + view_.height};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(corner, end, true);
+  add_premultiplied_image(list, points_.texture().imgui_id(), corner, end);
+  if (model.shows_contours()) draw_contours(model);
+  draw_marks(model);
+  draw_outline();
+  list.PopClipRect();
+  draw_tick_labels(view_, model.table(), subject.x, subject.y);
+  draw_bars_above(view_, x_bars_, kBarRoom * ImGui::GetFontSize());
+  draw_bars_beside(view_, y_bars_, kBarRoom * ImGui::GetFontSize());
+  if (model.draws().size() == 0)
+    centred_hint({corner, {view_.width, view_.height}}, "The first draws appear here in a moment");
+  handle_mouse(model, subject.tool);
+}
+
+void ScatterPlot::place_plot(const Rect& rect) {
+  const float em = ImGui::GetFontSize(), bars = kBarRoom * em;
+  view_.left = std::floor(rect.position.x + kTickRoomLeft * em);
+  view_.top = std::floor(rect.position.y + bars);
+  view_.width = std::max(16.0f, std::floor(rect.size.x - kTickRoomLeft * em - bars));
+  view_.height = std::max(16.0f, std::floor(rect.size.y - kTickRoomBelow * em - bars));
+}
+
+void ScatterPlot::follow_draws(const Session& session, const PlotSubject& subject) {
+  const ExplorerModel& model = session.model();
+  const PlotRange x = model.default_range(subject.x), y = model.default_range(subject.y);
+  Contents contents{session.run_version(),
+                    subject.x,
+                    subject.y,
+                    model.hides_warmup(),
+                    model.draws().sampling_count() > 0,
+                    model.marked(),
+                    contents_.colours};
+  contents.colours.follow(model, contents.run);
+  if (contents != contents_) {
+    const bool same_plane =
+        contents.run == contents_.run && contents.x == contents_.x && contents.y == contents_.y;
+    contents_ = contents;
+    points_.clear();
+    sent_ = counted_ = 0;
+    x_bars_ = y_bars_ = {};
+    if (!same_plane) {
+      following_ = true;
+      outline_.end();
+      view_.x = padded(x);
+      view_.y = padded(y);
+    }
+  }
+  if (following_) {
+    view_.x = followed(view_.x, x);
+    view_.y = followed(view_.y, y);
+  }
+}
+
+void ScatterPlot::send_points(const ExplorerModel& model) {
+  const DrawColumns& draws = model.draws();
+  // Dimmed ones first, so that they lie beneath the others where all are drawn anew.
+  std::vector<PlotPoint> points, dimmed;
+  for (; sent_ < draws.size(); ++sent_) {
+    const double x = draws.place(contents_.x, sent_), y = draws.place(contents_.y, sent_);
+    if (!std::isfinite(x) || !std::isfinite(y) || !model.visible(sent_)) continue;
+    const bool dim = (contents_.dims_warmup && draws.warmup(sent_)) ||
+                     (!contents_.marked.empty() && !contents_.marked.contains(sent_));
+    (dim ? dimmed : points).push_back({x, y, with_alpha(contents_.colours.of(model, sent_), 200), dim});
+  }
+  points_.append(dimmed);
+  points_.append(points);
+  const float density = ImGui::GetIO().DisplayFramebufferScale.x;
+  const Colouring::Kind kind = model.colouring().kind;
+  PointStyle style;
+  style.diameter = std::max(3.0f, 0.27f * ImGui::GetFontSize() * density);
+  if (kind == Colouring::Kind::density) style.density_above = 0;
+  const bool own_colours = kind == Colouring::Kind::chain || kind == Colouring::Kind::axis;
+  style.density_colours = own_colours ? DensityColours::mean : DensityColours::count;
+  points_.set_style(style);
+  points_.set_view({view_.x.low, view_.x.high, view_.y.low, view_.y.high},
+                   static_cast<int>(view_.width * density), static_cast<int>(view_.height * density));
+  points_.render();
+}
+
+void ScatterPlot::count_bars(const ExplorerModel& model) {
+  const float width = kBarWidth * ImGui::GetFontSize();
+  const int columns = std::max(1, static_cast<int>(view_.width / width)),
+            rows = std::max(1, static_cast<int>(view_.height / width));
+  if (x_bars_.bins() != columns || y_bars_.bins() != rows || x_bars_.range() != view_.x ||
+      y_bars_.range() != view_.y) {
+    x_bars_ = Histogram(view_.x, columns);
+    y_bars_ = Histogram(view_.y, rows);
+    counted_ = 0;
+  }
+  const DrawColumns& draws = model.draws();
+  for (; counted_ < draws.size(); ++counted_) {
+    if (!model.in_answer(counted_)) continue;
+    const bool marked = contents_.marked.contains(counted_);
+    x_bars_.add(draws.place(contents_.x, counted_), marked);
+    y_bars_.add(draws.place(contents_.y, counted_), marked);
+  }
+}
+
+void ScatterPlot::draw_contours(const ExplorerModel& model) {
+  if (!is_continuous(contents_.x) || !is_continuous(contents_.y)) return;
+  static constexpr std::array<ImU32, 2> kColors{IM_COL32(255, 255, 255, 235), IM_COL32(255, 255, 255, 150)};
+  const auto& edges = regions_.follow(model, contents_.run, contents_.x, contents_.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float em = ImGui::GetFontSize();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    ImVec2 highest{0, view_.top + view_.height};
+    for (const ContourPiece& piece : edges[i]) {
+      const ImVec2 from{view_.pixel_of_x(piece.x0), view_.pixel_of_y(piece.y0)};
+      list.AddLine(from, {view_.pixel_of_x(piece.x1), view_.pixel_of_y(piece.y1)}, kColors[i], 0.1f * em);
+      if (from.y < highest.y) highest = from;
+    }
+    if (edges[i].empty()) continue;
+    const std::string text = number_text(100 * CredibleRegions::kShares[i], 2) + " %";
+    list.AddText({highest.x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, highest.y - 1.15f * em}, kColors[i],
+                 text.c_str());
+  }
+}
+
+void ScatterPlot::draw_marks(const ExplorerModel& model) const {
+  const float em = ImGui::GetFontSize();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto ring = [&](std::size_t draw, float radius, ImU32 color) {
+    const ImVec2 at{view_.pixel_of_x(model.draws().place(contents_.x, draw)),
+                    view_.pixel_of_y(model.draws().place(contents_.y, draw))};
+    list.AddCircle(at, radius, IM_COL32(0, 0, 0, 160), 0, 0.3f * em);
+    list.AddCircle(at, radius, color, 0, 0.14f * em);
+  };
+  if (const auto best = model.best(); best && best != model.selected())
+    ring(*best, 0.42f * em, theme::kAccent);
+  if (const auto selected = model.selected()) ring(*selected, 0.5f * em, IM_COL32_WHITE);
+}
+
+void ScatterPlot::draw_outline() const {
+  if (!outline_.active()) return;
+  std::vector<ImVec2> pixels;
+  for (const PlotPlace& place : outline_.outline())
+    pixels.emplace_back(view_.pixel_of_x(place.x), view_.pixel_of_y(place.y));
+  ImGui::GetWindowDrawList()->AddPolyline(pixels.data(), static_cast<int>(pixels.size()), theme::kText,
+                                          ImDrawFlags_Closed, 0.1f * ImGui::GetFontSize());
+}
+
+PlotPlace ScatterPlot::mouse_place() const {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {view_.x_of_pixel(mouse.x), view_.y_of_pixel(mouse.y)};
+}
+
+std::optional<std::size_t> ScatterPlot::hit(const ExplorerModel& model, float reach) const {
+  return model.nearest(contents_.x, contents_.y, mouse_place(), {view_.x_per_pixel(), view_.y_per_pixel()},
+                       reach * ImGui::GetFontSize());
+}
+
+void ScatterPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
+  ImGui::SetCursorScreenPos({view_.left, view_.top});
+  ImGui::InvisibleButton("plot", {view_.width, view_.height},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const ImGuiIO& io = ImGui::GetIO();
+  handle_left_button(model, tool);
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)) {
+    view_.x = moved(view_.x, -io.MouseDelta.x * view_.x_per_pixel());
+    view_.y = moved(view_.y, io.MouseDelta.y * view_.y_per_pixel());
+    following_ = false;
+  }
+  if (!ImGui::IsItemHovered()) return;
+  if (io.MouseWheel != 0) {
+    const PlotPlace about = mouse_place();
+    const double factor = std::pow(0.85, io.MouseWheel);
+    view_.x = zoomed(view_.x, about.x, factor);
+    view_.y = zoomed(view_.y, about.y, factor);
+    following_ = false;
+  }
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    view_.x = padded(model.default_range(contents_.x));
+    view_.y = padded(model.default_range(contents_.y));
+    following_ = true;
+  }
+  if (!outline_.active()) draw_hover(model);
+}
+
+void ScatterPlot::handle_left_button(ExplorerModel& model, MarkingTool tool) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    if (!outline_.active()) {
+      const ImVec2 pressed = io.MouseClickedPos[ImGuiMouseButton_Left];
+      outline_.begin(tool, {view_.x_of_pixel(pressed.x), view_.y_of_pixel(pressed.y)});
+      marked_before_ = model.marked();
+    }
+    outline_.extend(mouse_place());
+  }
+  const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  if (outline_.active() && (released || (moved && model.draws().size() <= kMarkedLive))) {
+    model.mark(marked_before_, Marking::replace);
+    model.mark(model.inside(contents_.x, contents_.y, outline_.outline()), marking_of(io));
+  }
+  // The second click of two is an order to show all.
+  const bool clicked = released && !outline_.active() && io.MouseClickedLastCount[ImGuiMouseButton_Left] < 2;
+  if (clicked) {
+    if (const auto draw = hit(model, kClickReach)) model.select(draw);
+  }
+  if (!ImGui::IsItemActive()) outline_.end();
+}
+
+void ScatterPlot::draw_hover(const ExplorerModel& model) const {
+  const auto found = hit(model, kHoverReach);
+  if (!found) return;
+  const auto& draws = model.draws();
+  const auto line = [&](const PlotAxis& axis) {
+    const double place = draws.place(axis, *found);
+    const bool discrete = axis.kind == PlotAxis::Kind::discrete;
+    return axis_label(model.table(), axis) + ": " +
+           tick_label(model.table(), axis, discrete ? std::round(place) : place);
+  };
+  std::string text;
+  const PlotAxis match{PlotAxis::Kind::log_posterior, 0};
+  if (contents_.x.kind != PlotAxis::Kind::iteration) text += line(contents_.x) + "\n";
+  if (contents_.y != contents_.x) text += line(contents_.y) + "\n";
+  if (contents_.x != match && contents_.y != match) text += line(match) + "\n";
+  text += "Chain " + std::to_string(draws.chain(*found) + 1) + ", step " +
+          count_text(draws.iteration(*found) + 1) + (draws.warmup(*found) ? " (warm-up)" : "");
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
+}  // namespace patina
