@@ -58,6 +58,7 @@ void App::load(const std::filesystem::path& path) {
 }
 
 double App::patience() const {
+  if (scatter_.busy()) return 0;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
   if (session_.is_live()) return 0.5;

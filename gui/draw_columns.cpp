@@ -50,6 +50,7 @@ void DrawColumns::append(const Draw& draw) {
       static_cast<std::uint8_t>((draw.warmup ? kWarmup : 0) | (draw.divergent ? kDivergent : 0)));
   chain_count_ = std::max(chain_count_, draw.chain + 1);
   sampling_count_ += draw.warmup ? 0 : 1;
+  if (draw.warmup) warmup_steps_ = std::max(warmup_steps_, draw.iteration + 1);
   const auto improve = [&](std::optional<std::size_t>& best) {
     if (!std::isnan(draw.lp) && (!best || draw.lp > lp_[*best])) best = size() - 1;
   };

@@ -23,6 +23,8 @@ class DrawColumns {
   std::size_t size() const { return lp_.size(); }
   std::size_t sampling_count() const { return sampling_count_; }  ///< draws after warm-up
   int chain_count() const { return chain_count_; }
+  /// Steps of warm-up, as far as draws tell: one more than the last iteration of a draw of warm-up.
+  std::int64_t warmup_steps() const { return warmup_steps_; }
 
   double lp(std::size_t draw) const { return lp_[draw]; }
   int chain(std::size_t draw) const { return chain_[draw]; }
@@ -65,6 +67,7 @@ class DrawColumns {
   std::optional<std::size_t> best_of_all_, best_of_sampling_;
   std::size_t sampling_count_ = 0;
   int chain_count_ = 0;
+  std::int64_t warmup_steps_ = 0;
 };
 
 }  // namespace patina

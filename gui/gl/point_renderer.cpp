@@ -120,8 +120,8 @@ void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
   for (const PlotPoint& point : fresh) {
     point.dimmed ? density_.add_dimmed(point.x, point.y) : density_.add(point.x, point.y, point.color);
   }
-  const auto picture = density_picture(density_, style_.density_colours);
-  const int columns = density_.dimmed().width, rows = density_.dimmed().height;
+  const auto picture = density_picture(density_.cells(), style_.density_colours);
+  const int columns = density_.cells().dimmed.width, rows = density_.cells().dimmed.height;
   if (density_picture_) {
     density_picture_->update(0, 0, columns, rows, picture);
   } else {

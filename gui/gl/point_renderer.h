@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gui/gl/density_picture.h"
+#include "gui/density_picture.h"
 #include "gui/gl/objects.h"
 
 namespace patina {

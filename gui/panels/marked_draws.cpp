@@ -58,8 +58,10 @@ void MarkedDraws::draw(ExplorerModel& model) {
   const bool cleared = ImGui::Button("Clear");
   tooltip("Mark no draws (Esc)");
   ImGui::PopStyleVar();
+  const ImVec2 corner{ImGui::GetItemRectMax().x, ImGui::GetItemRectMax().y + 0.3f * ImGui::GetFontSize()};
   if (open_) ImGui::OpenPopup(kPopup);
   open_ = false;
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
   if (ImGui::BeginPopup(kPopup)) {
     if (measured_ != marked) measure(model);
     draw_ranges(model);

@@ -37,21 +37,52 @@ void ScatterPanel::draw(const PanelContext& context, const Rect& rect) {
                   : "Open a photo to find out which materials could have made it.");
   }
   ExplorerModel& model = session.model();
+  draw_tabs();
   draw_choices(model);
-  draw_colour_legend(model, plot_.colours(), plot_.shows_density());
+  const ScatterPlot& plot = show_ == Show::trace ? trace_.plot() : plot_;
+  draw_colour_legend(model, plot.colours(), show_ == Show::pairs || plot.shows_density());
   marked_.draw(model);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float tools = ImGui::GetFrameHeightWithSpacing();
-  plot_.draw(context, {corner, {room.x, room.y - tools}}, {model.x_axis(), model.y_axis(), tool_});
+  draw_plot(context, {corner, {room.x, room.y - ImGui::GetFrameHeightWithSpacing()}});
   ImGui::SetCursorScreenPos({corner.x, corner.y + room.y - ImGui::GetFrameHeight()});
   draw_tools(model);
 }
 
+void ScatterPanel::draw_tabs() {
+  const auto tab = [&](const char* label, Show show, const char* hint) {
+    ImGui::SameLine();
+    if (toggle_button(label, show_ == show)) show_ = show;
+    tooltip(hint);
+  };
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+  tab("One plot", Show::plot, "The draws over two parameters (1)");
+  tab("All pairs", Show::pairs, "Every parameter over every other (2)");
+  tab("Trace", Show::trace, "One parameter along the chains' steps (3)");
+  ImGui::PopStyleVar();
+}
+
+void ScatterPanel::draw_plot(const PanelContext& context, const Rect& rect) {
+  ExplorerModel& model = context.session.model();
+  switch (show_) {
+    case Show::plot:
+      return plot_.draw(context, rect, {model.x_axis(), model.y_axis(), tool_});
+    case Show::trace:
+      return trace_.draw(context, rect, tool_);
+    case Show::pairs:
+      if (const auto pair = matrix_.draw(context, rect, tool_)) {
+        model.set_axes(pair->x, pair->y);
+        show_ = Show::plot;
+      }
+  }
+}
+
 void ScatterPanel::draw_choices(ExplorerModel& model) {
   PlotAxis y = model.y_axis();
-  if (choose_axis("##up", model.table(), y)) model.set_axes(model.x_axis(), y);
-  tooltip("What the plot shows upwards");
-  ImGui::SameLine();
+  if (show_ != Show::pairs) {
+    if (choose_axis("##up", model.table(), y)) model.set_axes(model.x_axis(), y);
+    tooltip("What the plot shows upwards");
+    ImGui::SameLine();
+  }
   Colouring colouring = model.colouring();
   if (choose_colouring("##colour", kColourWidth * ImGui::GetFontSize(), model.table(), colouring))
     model.colour_by(colouring);
@@ -67,7 +98,9 @@ void ScatterPanel::draw_shown(ExplorerModel& model) {
     return;
   }
   bool contours = model.shows_contours();
+  ImGui::BeginDisabled(show_ != Show::plot);
   if (ImGui::Checkbox("Contours (C)", &contours)) model.show_contours(contours);
+  ImGui::EndDisabled();
   tooltip("Lines around the smallest regions that hold half of the draws, and nine in ten.");
   bool warmup = !model.warmup_hidden();
   if (ImGui::Checkbox("Warm-up", &warmup)) model.hide_warmup(!warmup);
@@ -92,6 +125,7 @@ void ScatterPanel::draw_tools(ExplorerModel& model) {
          "Drag a line around draws to mark them in every plot (L).\nHold Shift to add to what is marked, "
          "Ctrl to "
          "take away.");
+  if (show_ != Show::plot) return;
   align_right(kAxisWidth * ImGui::GetFontSize());
   PlotAxis x = model.x_axis();
   if (choose_axis("##across", model.table(), x)) model.set_axes(x, model.y_axis());
@@ -101,6 +135,9 @@ void ScatterPanel::draw_tools(ExplorerModel& model) {
 void ScatterPanel::handle_keys(ExplorerModel& model) {
   if (ImGui::GetIO().KeyCtrl) return;
   const auto pressed = [](char key) { return ImGui::IsKeyPressed(key, false); };
+  if (pressed('1')) show_ = Show::plot;
+  if (pressed('2')) show_ = Show::pairs;
+  if (pressed('3')) show_ = Show::trace;
   if (pressed('B')) tool_ = MarkingTool::box;
   if (pressed('L')) tool_ = MarkingTool::lasso;
   if (pressed('C')) model.show_contours(!model.shows_contours());

@@ -14,11 +14,12 @@
 namespace patina {
 namespace {
 
-constexpr float kClickReach = 2.0f;           // em
-constexpr float kHoverReach = 0.6f;           // em
-constexpr float kBarRoom = 2.2f;              // em
-constexpr float kBarWidth = 0.5f;             // em
-constexpr std::size_t kMarkedLive = 200'000;  // draws, above which marking waits for the button's release
+constexpr float kClickReach = 2.0f;  // em
+constexpr float kHoverReach = 0.6f;  // em
+constexpr float kBarRoom = 2.2f;     // em
+constexpr float kBarWidth = 0.5f;    // em
+
+constexpr ImU32 kUnmarked = IM_COL32(110, 114, 118, 255);
 
 ImU32 with_alpha(ImU32 color, ImU32 alpha) {
   return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
@@ -28,15 +29,12 @@ bool is_continuous(const PlotAxis& axis) {
   return axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
 }
 
-Marking marking_of(const ImGuiIO& io) {
-  return io.KeyShift ? Marking::add : io.KeyCtrl ? Marking::remove : Marking::replace;
-}
-
 }  // namespace
 
 ScatterPlot::ScatterPlot(const Gl& gl) : points_(gl) {}
 
-void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject) {
+void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject,
+                       const std::function<void(const PlotView&)>& beneath) {
   ExplorerModel& model = context.session.model();
   place_plot(rect);
   follow_draws(context.session, subject);
@@ -46,14 +44,16 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   const ImVec2 corner{view_.left, view_.top}, end{view_.left + view_.width, view_.top + view_.height};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(corner, end, true);
+  if (beneath) beneath(view_);
   add_premultiplied_image(list, points_.texture().imgui_id(), corner, end);
   if (model.shows_contours()) draw_contours(model);
   draw_marks(model);
-  draw_outline();
+  marking_.draw(view_);
   list.PopClipRect();
   draw_tick_labels(view_, model.table(), subject.x, subject.y);
-  draw_bars_above(view_, x_bars_, kBarRoom * ImGui::GetFontSize());
-  draw_bars_beside(view_, y_bars_, kBarRoom * ImGui::GetFontSize());
+  const float bars = kBarRoom * ImGui::GetFontSize();
+  if (subject.x.kind != PlotAxis::Kind::iteration) draw_bars_above(view_, x_bars_, bars);
+  draw_bars_beside(view_, y_bars_, bars);
   if (model.draws().size() == 0)
     centred_hint({corner, {view_.width, view_.height}}, "The first draws appear here in a moment");
   handle_mouse(model, subject.tool);
@@ -87,7 +87,7 @@ void ScatterPlot::follow_draws(const Session& session, const PlotSubject& subjec
     x_bars_ = y_bars_ = {};
     if (!same_plane) {
       following_ = true;
-      outline_.end();
+      marking_.cancel();
       view_.x = padded(x);
       view_.y = padded(y);
     }
@@ -105,9 +105,10 @@ void ScatterPlot::send_points(const ExplorerModel& model) {
   for (; sent_ < draws.size(); ++sent_) {
     const double x = draws.place(contents_.x, sent_), y = draws.place(contents_.y, sent_);
     if (!std::isfinite(x) || !std::isfinite(y) || !model.visible(sent_)) continue;
-    const bool dim = (contents_.dims_warmup && draws.warmup(sent_)) ||
-                     (!contents_.marked.empty() && !contents_.marked.contains(sent_));
-    (dim ? dimmed : points).push_back({x, y, with_alpha(contents_.colours.of(model, sent_), 200), dim});
+    const bool unmarked = !contents_.marked.empty() && !contents_.marked.contains(sent_);
+    const bool dim = unmarked || (contents_.dims_warmup && draws.warmup(sent_));
+    const ImU32 color = unmarked ? kUnmarked : contents_.colours.of(model, sent_);
+    (dim ? dimmed : points).push_back({x, y, with_alpha(color, 200), dim});
   }
   points_.append(dimmed);
   points_.append(points);
@@ -177,15 +178,6 @@ void ScatterPlot::draw_marks(const ExplorerModel& model) const {
   if (const auto selected = model.selected()) ring(*selected, 0.5f * em, IM_COL32_WHITE);
 }
 
-void ScatterPlot::draw_outline() const {
-  if (!outline_.active()) return;
-  std::vector<ImVec2> pixels;
-  for (const PlotPlace& place : outline_.outline())
-    pixels.emplace_back(view_.pixel_of_x(place.x), view_.pixel_of_y(place.y));
-  ImGui::GetWindowDrawList()->AddPolyline(pixels.data(), static_cast<int>(pixels.size()), theme::kText,
-                                          ImDrawFlags_Closed, 0.1f * ImGui::GetFontSize());
-}
-
 PlotPlace ScatterPlot::mouse_place() const {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   return {view_.x_of_pixel(mouse.x), view_.y_of_pixel(mouse.y)};
@@ -201,7 +193,11 @@ void ScatterPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
   ImGui::InvisibleButton("plot", {view_.width, view_.height},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
-  handle_left_button(model, tool);
+  // The second click of two is an order to show all.
+  if (marking_.handle(model, contents_.x, contents_.y, view_, tool) &&
+      io.MouseClickedLastCount[ImGuiMouseButton_Left] < 2) {
+    if (const auto draw = hit(model, kClickReach)) model.select(draw);
+  }
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)) {
     view_.x = moved(view_.x, -io.MouseDelta.x * view_.x_per_pixel());
     view_.y = moved(view_.y, io.MouseDelta.y * view_.y_per_pixel());
@@ -220,31 +216,7 @@ void ScatterPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
     view_.y = padded(model.default_range(contents_.y));
     following_ = true;
   }
-  if (!outline_.active()) draw_hover(model);
-}
-
-void ScatterPlot::handle_left_button(ExplorerModel& model, MarkingTool tool) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-    if (!outline_.active()) {
-      const ImVec2 pressed = io.MouseClickedPos[ImGuiMouseButton_Left];
-      outline_.begin(tool, {view_.x_of_pixel(pressed.x), view_.y_of_pixel(pressed.y)});
-      marked_before_ = model.marked();
-    }
-    outline_.extend(mouse_place());
-  }
-  const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
-  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-  if (outline_.active() && (released || (moved && model.draws().size() <= kMarkedLive))) {
-    model.mark(marked_before_, Marking::replace);
-    model.mark(model.inside(contents_.x, contents_.y, outline_.outline()), marking_of(io));
-  }
-  // The second click of two is an order to show all.
-  const bool clicked = released && !outline_.active() && io.MouseClickedLastCount[ImGuiMouseButton_Left] < 2;
-  if (clicked) {
-    if (const auto draw = hit(model, kClickReach)) model.select(draw);
-  }
-  if (!ImGui::IsItemActive()) outline_.end();
+  if (!marking_.active()) draw_hover(model);
 }
 
 void ScatterPlot::draw_hover(const ExplorerModel& model) const {

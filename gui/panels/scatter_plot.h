@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 
 #include "gui/credible_regions.h"
 #include "gui/draw_colours.h"
 #include "gui/gl/point_renderer.h"
 #include "gui/histogram.h"
-#include "gui/marking_outline.h"
+#include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
 #include "gui/plot_view.h"
 
@@ -25,8 +27,10 @@ class ScatterPlot {
  public:
   explicit ScatterPlot(const Gl& gl);
 
-  /// @param rect  all of it, tick labels included
-  void draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject);
+  /// @param rect     all of it, tick labels included
+  /// @param beneath  draws what lies between the ground and the points; may be empty
+  void draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject,
+            const std::function<void(const PlotView&)>& beneath = {});
 
   /// Where the plot was in the last frame, and what it showed.
   const PlotView& view() const { return view_; }
@@ -51,9 +55,7 @@ class ScatterPlot {
   void count_bars(const ExplorerModel& model);
   void draw_contours(const ExplorerModel& model);
   void draw_marks(const ExplorerModel& model) const;
-  void draw_outline() const;
   void handle_mouse(ExplorerModel& model, MarkingTool tool);
-  void handle_left_button(ExplorerModel& model, MarkingTool tool);
   void draw_hover(const ExplorerModel& model) const;
   std::optional<std::size_t> hit(const ExplorerModel& model, float reach) const;
   PlotPlace mouse_place() const;
@@ -66,8 +68,7 @@ class ScatterPlot {
   std::size_t counted_ = 0;  ///< draws in the bars
   Histogram x_bars_, y_bars_;
   CredibleRegions regions_;
-  MarkingOutline outline_;
-  DrawSet marked_before_;  ///< what was marked when the outline was begun
+  MarkingGesture marking_;
 };
 
 }  // namespace patina

@@ -221,8 +221,8 @@ TEST(DensityGridTest, PointsOnTheLowEdgesCountAndOnTheHighEdgesDoNot) {
   grid.add(0, 0);
   grid.add(std::nextafter(1.0, 0.0), std::nextafter(1.0, 0.0));
   EXPECT_EQ(grid.total(), 2u);
-  EXPECT_EQ(grid.sums().at(2, 0, 3), 1) << "bottom left";
-  EXPECT_EQ(grid.sums().at(0, 3, 3), 1) << "top right";
+  EXPECT_EQ(grid.cells().sums.at(2, 0, 3), 1) << "bottom left";
+  EXPECT_EQ(grid.cells().sums.at(0, 3, 3), 1) << "top right";
   for (const auto& [x, y] : {std::pair{1.0, 0.5}, {0.5, 1.0}, {std::nan(""), 0.5}, {0.5, INFINITY}})
     grid.add(x, y);
   EXPECT_EQ(grid.total(), 2u);
@@ -234,8 +234,8 @@ TEST(DensityGridTest, CellsHoldTheExpectedShareOfAUniformCloud) {
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 64000; ++i) grid.add(uniform(random), uniform(random));
   double chi_square = 0;
-  for (std::size_t i = 3; i < grid.sums().pixels.size(); i += 4) {
-    const float count = grid.sums().pixels[i];
+  for (std::size_t i = 3; i < grid.cells().sums.pixels.size(); i += 4) {
+    const float count = grid.cells().sums.pixels[i];
     chi_square += (count - 1000) * (count - 1000) / 1000;
   }
   // 63 degrees of freedom: mean 63, standard deviation 11.2.

@@ -1,4 +1,4 @@
-#include "gui/gl/density_picture.h"
+#include "gui/density_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -48,9 +48,9 @@ std::uint8_t byte(float value) { return static_cast<std::uint8_t>(std::clamp(val
 
 }  // namespace
 
-std::vector<std::uint8_t> density_picture(const DensityGrid& grid, DensityColours colours) {
-  const Image sums = smoothed(grid.sums()), dimmed = smoothed(grid.dimmed());
-  const float scale = 1 / std::log1p(static_cast<float>(std::max(grid.peak(), 1u)));
+std::vector<std::uint8_t> density_picture(const DensityCells& cells, DensityColours colours) {
+  const Image sums = smoothed(cells.sums), dimmed = smoothed(cells.dimmed);
+  const float scale = 1 / std::log1p(static_cast<float>(std::max(cells.peak, 1u)));
   std::vector<std::uint8_t> picture(4 * dimmed.pixels.size());
   for (std::size_t cell = 0; cell < dimmed.pixels.size(); ++cell) {
     const float* sum = &sums.pixels[4 * cell];
