@@ -2,8 +2,8 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
@@ -58,7 +58,11 @@ class App {
   void draw_dialogs(const PanelContext& context);
   void ask_to_open();
   void ask_to_export();
+  void ask_to_export_draw(std::size_t draw);
+  void ask_to_export_starred();
+  void ask_for_export_folder(std::vector<ExportJob> jobs, const std::string& name);
   void start_export(const std::filesystem::path& folder);
+  void star_shown();
 
   Window& window_;
   Fonts fonts_;
@@ -76,7 +80,7 @@ class App {
   Commands commands_;
   History<ExplorerChoices> history_;  ///< of what the user chose about the run's draws
   int history_run_ = 0;
-  std::optional<ExportRequest> export_request_;  ///< what the export dialog is open for
+  std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
 };

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
+#include "engine/run/stars.h"
 #include "gui/draw_set.h"
 #include "gui/plot_axis.h"
 
@@ -29,6 +31,7 @@ struct ExplorerChoices {
   bool contours = false;  ///< drawn around half of the draws and nine in ten
   std::optional<std::size_t> selected;
   DrawSet marked;
+  std::vector<Star> stars;  ///< in the order in which they were given
   bool operator==(const ExplorerChoices&) const = default;
 };
 

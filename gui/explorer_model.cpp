@@ -31,6 +31,17 @@ ExplorerModel::ExplorerModel(ParameterTable table) : table_(std::move(table)), d
   choices_.y = axes[axes.size() > 1 ? 1 : 0];
 }
 
+void ExplorerModel::append(std::span<const Draw> draws) {
+  const std::size_t before = draws_.size();
+  draws_.append(draws);
+  find_starred(before);
+}
+
+void ExplorerModel::restore(const ExplorerChoices& choices) {
+  choices_ = choices;
+  find_starred(0);
+}
+
 void ExplorerModel::set_axes(const PlotAxis& x, const PlotAxis& y) {
   choices_.x = x;
   choices_.y = y;
@@ -132,6 +143,49 @@ DrawSet ExplorerModel::inside(const PlotAxis& x, const PlotAxis& y,
                        const bool near = at.x >= low && at.x <= high && at.y >= bottom && at.y <= top;
                        return near && visible(draw) && is_inside(at, outline);
                      });
+}
+
+void ExplorerModel::set_stars(std::vector<Star> stars) {
+  choices_.stars = std::move(stars);
+  find_starred(0);
+}
+
+void ExplorerModel::find_starred(std::size_t from) {
+  const bool all_known =
+      std::ranges::all_of(stars(), [&](const Star& star) { return draw_of(star).has_value(); });
+  if (all_known) return;
+  for (std::size_t draw = from; draw < draws_.size(); ++draw) {
+    if (starred(draw)) starred_draws_[{draws_.chain(draw), draws_.iteration(draw)}] = draw;
+  }
+}
+
+bool ExplorerModel::starred(std::size_t draw) const {
+  return std::ranges::any_of(stars(), [&](const Star& star) {
+    return star.chain == draws_.chain(draw) && star.iteration == draws_.iteration(draw);
+  });
+}
+
+void ExplorerModel::star(std::size_t draw, bool on) {
+  if (starred(draw) == on) return;
+  const Place place{draws_.chain(draw), draws_.iteration(draw)};
+  starred_draws_[place] = draw;
+  if (on) {
+    choices_.stars.push_back({place.first, place.second, {}});
+  } else {
+    std::erase_if(choices_.stars, [&](const Star& star) {
+      return Place{star.chain, star.iteration} == place;
+    });
+  }
+}
+
+void ExplorerModel::annotate(std::size_t star, const std::string& note) {
+  choices_.stars.at(star).note = note;
+}
+
+std::optional<std::size_t> ExplorerModel::draw_of(const Star& star) const {
+  const auto found = starred_draws_.find({star.chain, star.iteration});
+  if (found == starred_draws_.end()) return std::nullopt;
+  return found->second;
 }
 
 PlotRange range_of(const DrawColumns& draws, const DrawSet& set, const PlotAxis& axis) {

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gui/draw_columns.h"
 #include "gui/explorer_choices.h"
@@ -25,10 +30,10 @@ class ExplorerModel {
 
   const ParameterTable& table() const { return table_; }
   const DrawColumns& draws() const { return draws_; }
-  void append(std::span<const Draw> draws) { draws_.append(draws); }
+  void append(std::span<const Draw> draws);
 
   const ExplorerChoices& choices() const { return choices_; }
-  void restore(const ExplorerChoices& choices) { choices_ = choices; }  ///< those of this model from before
+  void restore(const ExplorerChoices& choices);  ///< those of this model from before
 
   PlotAxis x_axis() const { return choices_.x; }
   PlotAxis y_axis() const { return choices_.y; }
@@ -85,10 +90,22 @@ class ExplorerModel {
   /// of lines parts from the outside.
   DrawSet inside(const PlotAxis& x, const PlotAxis& y, std::span<const PlotPlace> outline) const;
 
+  const std::vector<Star>& stars() const { return choices_.stars; }
+  void set_stars(std::vector<Star> stars);  ///< those that were kept with the run
+  bool starred(std::size_t draw) const;
+  void star(std::size_t draw, bool on);
+  void annotate(std::size_t star, const std::string& note);  ///< a star by its index
+  /// The draw that a star belongs to; none as long as it has not arrived.
+  std::optional<std::size_t> draw_of(const Star& star) const;
+
  private:
+  using Place = std::pair<int, std::int64_t>;  ///< chain and iteration
+  void find_starred(std::size_t from);
+
   ParameterTable table_;
   DrawColumns draws_;
   ExplorerChoices choices_;
+  std::map<Place, std::size_t> starred_draws_;  ///< where the draws are that were starred once
 };
 
 /// From the lowest to the highest place of a set's draws along an axis; [0, 0] for an empty one.

@@ -10,7 +10,7 @@ namespace {
 
 using Line = std::pair<const char*, const char*>;
 
-constexpr std::array<Line, 17> kKeys{
+constexpr std::array<Line, 18> kKeys{
     {{"Drop a file", "Open a photo, or a run's directory"},
      {"Ctrl+O", "Open a photo or a run"},
      {"Space", "Pause or resume the run"},
@@ -18,7 +18,8 @@ constexpr std::array<Line, 17> kKeys{
      {"Esc", "Let go of the marked draws, then of the selected one; dismiss a message"},
      {"Ctrl+Z, Ctrl+Y", "Undo, redo"},
      {"Ctrl+E", "Export the draw that is shown"},
-     {"1, 2, 3", "One plot, all pairs, trace"},
+     {"S", "Star the draw that is shown, or take its star away"},
+     {"1, 2, 3, 4", "One plot, all pairs, trace, gallery"},
      {"B, L", "Mark draws by dragging a box, or a line around them"},
      {"C", "Contours around half of the draws, and nine in ten"},
      {"R", "What the marked draws range over"},

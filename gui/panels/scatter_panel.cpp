@@ -26,7 +26,7 @@ bool choose_axis(const char* id, const ParameterTable& table, PlotAxis& axis) {
 
 }  // namespace
 
-void ScatterPanel::draw(const PanelContext& context, const Rect& rect) {
+void ScatterPanel::draw(const PanelContext& context, const Rect& rect, const GalleryActions& actions) {
   const PanelScope panel("Draws", rect, context,
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   Session& session = context.session;
@@ -36,8 +36,17 @@ void ScatterPanel::draw(const PanelContext& context, const Rect& rect) {
                   ? "Every point here will be a material that could have made the photo. Press Start."
                   : "Open a photo to find out which materials could have made it.");
   }
-  ExplorerModel& model = session.model();
   draw_tabs();
+  if (show_ == Show::gallery) {
+    gallery_.draw(context, {ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()}, actions);
+  } else {
+    draw_plots(context);
+  }
+  thumbnails_.serve();
+}
+
+void ScatterPanel::draw_plots(const PanelContext& context) {
+  ExplorerModel& model = context.session.model();
   draw_choices(model);
   const ScatterPlot& plot = show_ == Show::trace ? trace_.plot() : plot_;
   draw_colour_legend(model, plot.colours(), show_ == Show::pairs || plot.shows_density());
@@ -58,6 +67,7 @@ void ScatterPanel::draw_tabs() {
   tab("One plot", Show::plot, "The draws over two parameters (1)");
   tab("All pairs", Show::pairs, "Every parameter over every other (2)");
   tab("Trace", Show::trace, "One parameter along the chains' steps (3)");
+  tab("Gallery", Show::gallery, "Starred draws and kinds of solution, as pictures (4)");
   ImGui::PopStyleVar();
 }
 
@@ -73,6 +83,9 @@ void ScatterPanel::draw_plot(const PanelContext& context, const Rect& rect) {
         model.set_axes(pair->x, pair->y);
         show_ = Show::plot;
       }
+      return;
+    case Show::gallery:
+      return;
   }
 }
 
@@ -138,6 +151,7 @@ void ScatterPanel::handle_keys(ExplorerModel& model) {
   if (pressed('1')) show_ = Show::plot;
   if (pressed('2')) show_ = Show::pairs;
   if (pressed('3')) show_ = Show::trace;
+  if (pressed('4')) show_ = Show::gallery;
   if (pressed('B')) tool_ = MarkingTool::box;
   if (pressed('L')) tool_ = MarkingTool::lasso;
   if (pressed('C')) model.show_contours(!model.shows_contours());

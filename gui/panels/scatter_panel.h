@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/panels/gallery.h"
 #include "gui/panels/marked_draws.h"
 #include "gui/panels/matrix_plot.h"
 #include "gui/panels/panel.h"
@@ -8,14 +9,20 @@
 
 namespace patina {
 
-/// The draws, as they arrive: over any two parameters, over every pair of them, or along the chains' steps;
-/// with what to show and what colours tell.
+/// The draws, as they arrive: over any two parameters, over every pair of them, along the chains' steps, or
+/// as pictures; with what to show and what colours tell.
 class ScatterPanel {
  public:
-  enum class Show { plot, pairs, trace };
+  enum class Show { plot, pairs, trace, gallery };
 
-  explicit ScatterPanel(const Gl& gl) : plot_(gl), matrix_(gl), trace_(gl) {}
-  void draw(const PanelContext& context, const Rect& rect);
+  /// @param wake  called from other threads when there is something new to draw
+  ScatterPanel(const Gl& gl, const std::function<void()>& wake)
+      : thumbnails_(gl, wake),
+        plot_(gl, thumbnails_),
+        matrix_(gl),
+        trace_(gl, thumbnails_),
+        gallery_(thumbnails_, wake) {}
+  void draw(const PanelContext& context, const Rect& rect, const GalleryActions& actions);
 
   /// Answers this frame's keys, where no text is being typed.
   void handle_keys(ExplorerModel& model);
@@ -27,17 +34,21 @@ class ScatterPanel {
   const PlotView& view() const { return plot_.view(); }
   const MatrixPlot& matrix() const { return matrix_; }
   const TracePlot& trace() const { return trace_; }
+  const Gallery& gallery() const { return gallery_; }
 
  private:
   void draw_tabs();
   void draw_choices(ExplorerModel& model);
   void draw_shown(ExplorerModel& model);
+  void draw_plots(const PanelContext& context);
   void draw_plot(const PanelContext& context, const Rect& rect);
   void draw_tools(ExplorerModel& model);
 
+  Thumbnails thumbnails_;
   ScatterPlot plot_;
   MatrixPlot matrix_;
   TracePlot trace_;
+  Gallery gallery_;
   MarkedDraws marked_;
   Show show_ = Show::plot;
   MarkingTool tool_ = MarkingTool::box;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gui/gl/imgui_renderer.h"
+#include "gui/panels/draw_hover.h"
 #include "gui/panels/marginal_bars.h"
 #include "gui/panels/plot_frame.h"
 #include "gui/theme.h"
@@ -31,7 +32,7 @@ bool is_continuous(const PlotAxis& axis) {
 
 }  // namespace
 
-ScatterPlot::ScatterPlot(const Gl& gl) : points_(gl) {}
+ScatterPlot::ScatterPlot(const Gl& gl, Thumbnails& thumbnails) : thumbnails_(thumbnails), points_(gl) {}
 
 void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject,
                        const std::function<void(const PlotView&)>& beneath) {
@@ -56,7 +57,7 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   draw_bars_beside(view_, y_bars_, bars);
   if (model.draws().size() == 0)
     centred_hint({corner, {view_.width, view_.height}}, "The first draws appear here in a moment");
-  handle_mouse(model, subject.tool);
+  handle_mouse(context.session, subject.tool);
 }
 
 void ScatterPlot::place_plot(const Rect& rect) {
@@ -173,6 +174,12 @@ void ScatterPlot::draw_marks(const ExplorerModel& model) const {
     list.AddCircle(at, radius, IM_COL32(0, 0, 0, 160), 0, 0.3f * em);
     list.AddCircle(at, radius, color, 0, 0.14f * em);
   };
+  for (const Star& star : model.stars()) {
+    const auto draw = model.draw_of(star);
+    if (!draw || !model.visible(*draw)) continue;
+    const PlotPlace at{model.draws().place(contents_.x, *draw), model.draws().place(contents_.y, *draw)};
+    add_star(list, {view_.pixel_of_x(at.x), view_.pixel_of_y(at.y)}, 0.45f * em, theme::kWarning);
+  }
   if (const auto best = model.best(); best && best != model.selected())
     ring(*best, 0.42f * em, theme::kAccent);
   if (const auto selected = model.selected()) ring(*selected, 0.5f * em, IM_COL32_WHITE);
@@ -188,7 +195,8 @@ std::optional<std::size_t> ScatterPlot::hit(const ExplorerModel& model, float re
                        reach * ImGui::GetFontSize());
 }
 
-void ScatterPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
+void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
+  ExplorerModel& model = session.model();
   ImGui::SetCursorScreenPos({view_.left, view_.top});
   ImGui::InvisibleButton("plot", {view_.width, view_.height},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -216,27 +224,9 @@ void ScatterPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
     view_.y = padded(model.default_range(contents_.y));
     following_ = true;
   }
-  if (!marking_.active()) draw_hover(model);
-}
-
-void ScatterPlot::draw_hover(const ExplorerModel& model) const {
-  const auto found = hit(model, kHoverReach);
-  if (!found) return;
-  const auto& draws = model.draws();
-  const auto line = [&](const PlotAxis& axis) {
-    const double place = draws.place(axis, *found);
-    const bool discrete = axis.kind == PlotAxis::Kind::discrete;
-    return axis_label(model.table(), axis) + ": " +
-           tick_label(model.table(), axis, discrete ? std::round(place) : place);
-  };
-  std::string text;
-  const PlotAxis match{PlotAxis::Kind::log_posterior, 0};
-  if (contents_.x.kind != PlotAxis::Kind::iteration) text += line(contents_.x) + "\n";
-  if (contents_.y != contents_.x) text += line(contents_.y) + "\n";
-  if (contents_.x != match && contents_.y != match) text += line(match) + "\n";
-  text += "Chain " + std::to_string(draws.chain(*found) + 1) + ", step " +
-          count_text(draws.iteration(*found) + 1) + (draws.warmup(*found) ? " (warm-up)" : "");
-  ImGui::SetTooltip("%s", text.c_str());
+  if (marking_.active()) return;
+  if (const auto draw = hit(model, kHoverReach))
+    draw_hover(session, thumbnails_, *draw, contents_.x, contents_.y);
 }
 
 }  // namespace patina

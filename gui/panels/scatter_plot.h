@@ -11,6 +11,7 @@
 #include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
 #include "gui/plot_view.h"
+#include "gui/thumbnails.h"
 
 namespace patina {
 
@@ -25,7 +26,8 @@ struct PlotSubject {
 /// click shows all draws again.
 class ScatterPlot {
  public:
-  explicit ScatterPlot(const Gl& gl);
+  /// @param thumbnails  outlives the plot
+  ScatterPlot(const Gl& gl, Thumbnails& thumbnails);
 
   /// @param rect     all of it, tick labels included
   /// @param beneath  draws what lies between the ground and the points; may be empty
@@ -55,11 +57,11 @@ class ScatterPlot {
   void count_bars(const ExplorerModel& model);
   void draw_contours(const ExplorerModel& model);
   void draw_marks(const ExplorerModel& model) const;
-  void handle_mouse(ExplorerModel& model, MarkingTool tool);
-  void draw_hover(const ExplorerModel& model) const;
+  void handle_mouse(Session& session, MarkingTool tool);
   std::optional<std::size_t> hit(const ExplorerModel& model, float reach) const;
   PlotPlace mouse_place() const;
 
+  Thumbnails& thumbnails_;
   PointRenderer points_;
   Contents contents_;
   PlotView view_;

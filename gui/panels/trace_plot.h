@@ -12,7 +12,7 @@ namespace patina {
 /// same values, with no trend. What one can do in a scatter plot one can do here.
 class TracePlot {
  public:
-  explicit TracePlot(const Gl& gl) : plot_(gl) {}
+  TracePlot(const Gl& gl, Thumbnails& thumbnails) : plot_(gl, thumbnails) {}
   void draw(const PanelContext& context, const Rect& rect, MarkingTool tool);
 
   const ScatterPlot& plot() const { return plot_; }
