@@ -121,11 +121,11 @@ void App::handle_escape() {
 }
 
 void App::undo() {
-  if (history_run_ == session_.run_version()) session_.model().restore(history_.undo());
+  if (history_run_ == session_.run_version() && history_.undo()) session_.model().restore(history_.now());
 }
 
 void App::redo() {
-  if (history_run_ == session_.run_version()) session_.model().restore(history_.redo());
+  if (history_run_ == session_.run_version() && history_.redo()) session_.model().restore(history_.now());
 }
 
 void App::note_step() {
@@ -137,7 +137,7 @@ void App::note_step() {
   // A gesture is one step, however much it changes on its way.
   const ImGuiIO& io = ImGui::GetIO();
   const bool key_down = std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
-  if (!ImGui::IsAnyMouseDown() && !key_down) history_.note(choices);
+  if (!ImGui::IsAnyMouseDown() && !key_down) history_.change(choices, true);
 }
 
 void App::handle_keys() {

@@ -78,7 +78,7 @@ class App {
   MaterialPanel material_;
   DrawPanel draw_;
   Commands commands_;
-  History<ExplorerChoices> history_;  ///< of what the user chose about the run's draws
+  History<ExplorerChoices> history_{ExplorerChoices()};  ///< of what the user chose about the run's draws
   int history_run_ = 0;
   std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;

@@ -74,7 +74,8 @@ GridSide side_over(const PlotRange& range, double bandwidth) {
 
 }  // namespace
 
-CredibleRegions::Edges credible_regions(const ExplorerModel& model, const PlotAxis& x, const PlotAxis& y) {
+CredibleRegions::Edges credible_regions(const ExplorerModel& model, const PlotAxis& x, const PlotAxis& y,
+                                        std::optional<double> worth) {
   Moments moments;
   each_place(model, x, y, [&](PlotPlace at) { moments.add(at.x, at.y); });
   if (moments.count < kLeastDraws || !(moments.xx > 0) || !(moments.yy > 0)) return {};
@@ -86,7 +87,8 @@ CredibleRegions::Edges credible_regions(const ExplorerModel& model, const PlotAx
     u = {std::min(u.low, place.x), std::max(u.high, place.x)};
     v = {std::min(v.low, place.y), std::max(v.high, place.y)};
   });
-  const double bandwidth = std::pow(moments.count, -1.0 / 6);
+  const double independent = std::clamp(worth.value_or(moments.count), kLeastDraws, moments.count);
+  const double bandwidth = std::pow(independent, -1.0 / 6);
   const GridSide columns = side_over(u, bandwidth), rows = side_over(v, bandwidth);
   Image counts(kCells, kCells, 1);
   each_place(model, x, y, [&](PlotPlace at) {
@@ -110,13 +112,15 @@ CredibleRegions::Edges credible_regions(const ExplorerModel& model, const PlotAx
 }
 
 const CredibleRegions::Edges& CredibleRegions::follow(const ExplorerModel& model, int run, const PlotAxis& x,
-                                                      const PlotAxis& y) {
+                                                      const PlotAxis& y, std::optional<double> worth) {
   const std::size_t all = model.draws().size(), sampled = model.draws().sampling_count();
   const std::size_t draws = sampled > 0 ? sampled : all;
-  const bool same = run == run_ && x == x_ && y == y_ && draws >= draws_;
+  const double known = worth.value_or(0);
+  const bool same =
+      run == run_ && x == x_ && y == y_ && draws >= draws_ && std::abs(known - worth_) <= 0.25 * worth_;
   if (same && draws - draws_ <= draws_ / 50) return edges_;
-  edges_ = credible_regions(model, x, y);
-  run_ = run, x_ = x, y_ = y, draws_ = draws;
+  edges_ = credible_regions(model, x, y, worth);
+  run_ = run, x_ = x, y_ = y, draws_ = draws, worth_ = known;
   return edges_;
 }
 

@@ -53,7 +53,7 @@ void MarkedDraws::draw(ExplorerModel& model) {
   tooltip(number_text(share, 2) + " % of the draws; they stand out in every plot");
   ImGui::SameLine();
   if (ImGui::Button("Ranges")) ImGui::OpenPopup(kPopup);
-  tooltip("What the parameters range over among the marked draws (R)");
+  tooltip("What the parameters range over among the marked draws (M)");
   ImGui::SameLine();
   const bool cleared = ImGui::Button("Clear");
   tooltip("Mark no draws (Esc)");

@@ -155,7 +155,7 @@ void MatrixPlot::draw_points(const ExplorerModel& model, const Place& place) con
       return;
     ImGui::GetWindowDrawList()->AddCircle(at, radius, color, 8, 0.1f * ImGui::GetFontSize());
   };
-  if (const auto selected = model.selected()) dot(*selected, 0.25f * ImGui::GetFontSize(), IM_COL32_WHITE);
+  if (const auto selected = model.selected()) dot(*selected, 0.25f * ImGui::GetFontSize(), theme::kText);
 }
 
 void MatrixPlot::draw_labels(const ExplorerModel& model) const {

@@ -64,10 +64,10 @@ void ScatterPanel::draw_tabs() {
     tooltip(hint);
   };
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
-  tab("One plot", Show::plot, "The draws over two parameters (1)");
-  tab("All pairs", Show::pairs, "Every parameter over every other (2)");
-  tab("Trace", Show::trace, "One parameter along the chains' steps (3)");
-  tab("Gallery", Show::gallery, "Starred draws and kinds of solution, as pictures (4)");
+  tab("One plot", Show::plot, "The draws over two parameters (P)");
+  tab("All pairs", Show::pairs, "Every parameter over every other (A)");
+  tab("Trace", Show::trace, "One parameter along the chains' steps (T)");
+  tab("Gallery", Show::gallery, "Starred draws and kinds of solution, as pictures (G)");
   ImGui::PopStyleVar();
 }
 
@@ -112,7 +112,7 @@ void ScatterPanel::draw_shown(ExplorerModel& model) {
   }
   bool contours = model.shows_contours();
   ImGui::BeginDisabled(show_ != Show::plot);
-  if (ImGui::Checkbox("Contours (C)", &contours)) model.show_contours(contours);
+  if (ImGui::Checkbox("Contours (K)", &contours)) model.show_contours(contours);
   ImGui::EndDisabled();
   tooltip("Lines around the smallest regions that hold half of the draws, and nine in ten.");
   bool warmup = !model.warmup_hidden();
@@ -148,14 +148,14 @@ void ScatterPanel::draw_tools(ExplorerModel& model) {
 void ScatterPanel::handle_keys(ExplorerModel& model) {
   if (ImGui::GetIO().KeyCtrl) return;
   const auto pressed = [](char key) { return ImGui::IsKeyPressed(key, false); };
-  if (pressed('1')) show_ = Show::plot;
-  if (pressed('2')) show_ = Show::pairs;
-  if (pressed('3')) show_ = Show::trace;
-  if (pressed('4')) show_ = Show::gallery;
+  if (pressed('P')) show_ = Show::plot;
+  if (pressed('A')) show_ = Show::pairs;
+  if (pressed('T')) show_ = Show::trace;
+  if (pressed('G')) show_ = Show::gallery;
   if (pressed('B')) tool_ = MarkingTool::box;
   if (pressed('L')) tool_ = MarkingTool::lasso;
-  if (pressed('C')) model.show_contours(!model.shows_contours());
-  if (pressed('R')) marked_.show_ranges();
+  if (pressed('K')) model.show_contours(!model.shows_contours());
+  if (pressed('M')) marked_.show_ranges();
 }
 
 }  // namespace patina

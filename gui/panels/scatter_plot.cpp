@@ -30,6 +30,22 @@ bool is_continuous(const PlotAxis& axis) {
   return axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
 }
 
+/// How many independent draws there are for the worse known of two axes.
+std::optional<double> independent_draws(const Session& session, const PlotAxis& x, const PlotAxis& y) {
+  if (!session.summary()) return std::nullopt;
+  const ParameterTable& table = session.model().table();
+  const auto name = [&](const PlotAxis& axis) {
+    return axis.kind == PlotAxis::Kind::continuous ? table.continuous[axis.index].name : "lp";
+  };
+  std::optional<double> least;
+  for (const QuantitySummary& quantity : session.summary()->quantities) {
+    const bool shown = quantity.name == name(x) || quantity.name == name(y);
+    if (shown && quantity.bulk_ess > 0)
+      least = std::min(least.value_or(quantity.bulk_ess), quantity.bulk_ess);
+  }
+  return least;
+}
+
 }  // namespace
 
 ScatterPlot::ScatterPlot(const Gl& gl, Thumbnails& thumbnails) : thumbnails_(thumbnails), points_(gl) {}
@@ -47,7 +63,7 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   list.PushClipRect(corner, end, true);
   if (beneath) beneath(view_);
   add_premultiplied_image(list, points_.texture().imgui_id(), corner, end);
-  if (model.shows_contours()) draw_contours(model);
+  if (model.shows_contours()) draw_contours(context.session);
   draw_marks(model);
   marking_.draw(view_);
   list.PopClipRect();
@@ -145,22 +161,23 @@ void ScatterPlot::count_bars(const ExplorerModel& model) {
   }
 }
 
-void ScatterPlot::draw_contours(const ExplorerModel& model) {
+void ScatterPlot::draw_contours(const Session& session) {
   if (!is_continuous(contents_.x) || !is_continuous(contents_.y)) return;
-  static constexpr std::array<ImU32, 2> kColors{IM_COL32(255, 255, 255, 235), IM_COL32(255, 255, 255, 150)};
-  const auto& edges = regions_.follow(model, contents_.run, contents_.x, contents_.y);
+  const std::array<ImU32, 2> colors{with_alpha(theme::kText, 245), with_alpha(theme::kText, 150)};
+  const auto& edges = regions_.follow(session.model(), contents_.run, contents_.x, contents_.y,
+                                      independent_draws(session, contents_.x, contents_.y));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
   for (std::size_t i = 0; i < edges.size(); ++i) {
     ImVec2 highest{0, view_.top + view_.height};
     for (const ContourPiece& piece : edges[i]) {
       const ImVec2 from{view_.pixel_of_x(piece.x0), view_.pixel_of_y(piece.y0)};
-      list.AddLine(from, {view_.pixel_of_x(piece.x1), view_.pixel_of_y(piece.y1)}, kColors[i], 0.1f * em);
+      list.AddLine(from, {view_.pixel_of_x(piece.x1), view_.pixel_of_y(piece.y1)}, colors[i], 0.1f * em);
       if (from.y < highest.y) highest = from;
     }
     if (edges[i].empty()) continue;
     const std::string text = number_text(100 * CredibleRegions::kShares[i], 2) + " %";
-    list.AddText({highest.x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, highest.y - 1.15f * em}, kColors[i],
+    list.AddText({highest.x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, highest.y - 1.15f * em}, colors[i],
                  text.c_str());
   }
 }
@@ -182,7 +199,7 @@ void ScatterPlot::draw_marks(const ExplorerModel& model) const {
   }
   if (const auto best = model.best(); best && best != model.selected())
     ring(*best, 0.42f * em, theme::kAccent);
-  if (const auto selected = model.selected()) ring(*selected, 0.5f * em, IM_COL32_WHITE);
+  if (const auto selected = model.selected()) ring(*selected, 0.5f * em, theme::kText);
 }
 
 PlotPlace ScatterPlot::mouse_place() const {

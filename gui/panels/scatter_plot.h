@@ -55,7 +55,7 @@ class ScatterPlot {
   void follow_draws(const Session& session, const PlotSubject& subject);
   void send_points(const ExplorerModel& model);
   void count_bars(const ExplorerModel& model);
-  void draw_contours(const ExplorerModel& model);
+  void draw_contours(const Session& session);
   void draw_marks(const ExplorerModel& model) const;
   void handle_mouse(Session& session, MarkingTool tool);
   std::optional<std::size_t> hit(const ExplorerModel& model, float reach) const;

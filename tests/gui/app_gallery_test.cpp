@@ -84,7 +84,7 @@ TEST_F(AppGallery, StarredDrawsAreShownAsTheirRendersAndAClickSelectsOne) {
   start_row();
   star(1);
   star(3);
-  press('4');
+  press('G');
   EXPECT_TRUE(frames_until([&] { return shows(1) && shows(3); }));
   EXPECT_FALSE(gallery().picture_of(0));
   const Rect picture = *gallery().picture_of(1);
@@ -116,7 +116,7 @@ TEST_F(AppGallery, UndoTakesAStarBackOnDiskToo) {
 TEST_F(AppGallery, ANoteThatIsTypedIsKeptWithTheRun) {
   start_row();
   star(2);
-  press('4');
+  press('G');
   frames(3);
   const Rect picture = *gallery().picture_of(2);
   const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -150,7 +150,7 @@ TEST_F(AppGallery, EveryKindOfSolutionHasAPicture) {
                          -std::abs(normal(rng))));
   }
   start_run_of(draws);
-  press('4');
+  press('G');
   ASSERT_TRUE(frames_until([&] { return gallery().modes().modes().size() == 2; }));
   for (const FoundMode& mode : gallery().modes().modes())
     EXPECT_TRUE(frames_until([&] { return shows(mode.best); }));
@@ -164,7 +164,7 @@ TEST_F(AppGallery, AllStarredDrawsAreExportedEachToItsFolder) {
   start_row();
   star(0);
   star(2);
-  press('4');
+  press('G');
   frames(3);
   const Rect panel = lay_out(ImGui::GetIO().DisplaySize, {}, ImGui::GetFontSize()).scatter;
   const ImGuiStyle& style = ImGui::GetStyle();

@@ -143,7 +143,7 @@ TEST_F(AppMarking, ContoursAreDrawnOnRequest) {
         draw(0.4 + 0.05 * std::sin(7.3 * i) * std::cos(2.1 * i), 0.5 + 0.1 * std::sin(1.7 * i), -1));
   start_run_of(draws);
   const Image before = window_->screenshot();
-  press('C');
+  press('K');
   EXPECT_TRUE(model().shows_contours());
   EXPECT_GT(mean_difference(before, window_->screenshot()), 1e-4);
 }

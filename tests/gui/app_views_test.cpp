@@ -41,7 +41,7 @@ class AppViews : public AppTest {
 
 TEST_F(AppViews, AClickOnACellOpensItsPairLarge) {
   start_grid();
-  press('2');
+  press('A');
   ASSERT_EQ(app_.scatter().shown(), ScatterPanel::Show::pairs);
   const std::size_t rough = index_of(axis("rough")), red = index_of(axis("albedo_r"));
   const PlotView cell = matrix().cell_view(std::max(rough, red), std::min(rough, red));
@@ -53,7 +53,7 @@ TEST_F(AppViews, AClickOnACellOpensItsPairLarge) {
 
 TEST_F(AppViews, ABoxInACellMarksItsDrawsAndAllCellsShowIt) {
   start_grid();
-  press('2');
+  press('A');
   frames(3);
   const std::size_t rough = index_of(axis("rough")), red = index_of(axis("albedo_r"));
   const std::size_t row = std::max(rough, red), column = std::min(rough, red);
@@ -87,7 +87,7 @@ TEST_F(AppViews, EveryPairOfAHundredThousandDrawsIsCountedWithinAFewFramesEachSh
   for (int i = 0; i < 100'000; ++i)
     draws.push_back(draw(0.4 + 0.02 * normal(rng), 0.5 + 0.1 * normal(rng), -1, i % 4));
   start_run_of(draws);
-  press('2');
+  press('A');
   ASSERT_TRUE(frames_until([&] { return !app_.scatter().busy(); }));
   const Image done = window_->screenshot();
   frames(3);
@@ -97,7 +97,7 @@ TEST_F(AppViews, EveryPairOfAHundredThousandDrawsIsCountedWithinAFewFramesEachSh
 TEST_F(AppViews, AllPairsScrollWhereTheyDoNotFit) {
   start_grid();
   window_->resize(640, 480);
-  press('2');
+  press('A');
   frames(3);
   const PlotView before = matrix().cell_view(1, 0);
   const Rect panel = lay_out(ImGui::GetIO().DisplaySize, {}, ImGui::GetFontSize()).scatter;
@@ -111,7 +111,7 @@ TEST_F(AppViews, AllPairsScrollWhereTheyDoNotFit) {
 
 TEST_F(AppViews, TheTraceShowsDrawsByTheirStepAndAClickSelectsOne) {
   start_grid();
-  press('3');
+  press('T');
   ASSERT_EQ(app_.scatter().shown(), ScatterPanel::Show::trace);
   const PlotView& view = app_.scatter().trace().plot().view();
   const DrawColumns& draws = model().draws();
@@ -130,7 +130,7 @@ TEST_F(AppViews, TheTraceShadesWarmup) {
     draws.back().warmup = i < 50;
   }
   start_run_of(draws);
-  press('3');
+  press('T');
   const PlotView& view = app_.scatter().trace().plot().view();
   const Image image = window_->screenshot();
   const auto brightness = [&](double step) {

@@ -147,6 +147,20 @@ TEST(CredibleRegions, LeaveWarmupOutAndNeedDrawsThatDiffer) {
   EXPECT_TRUE(credible_regions(still, kX, kY)[0].empty());
 }
 
+TEST(CredibleRegions, AreSmoothedMoreWhereTheDrawsAreWorthFewer) {
+  const ExplorerModel model = gaussian_draws(5000, 1, 1, 0);
+  const auto mean_radius = [&](std::optional<double> worth) {
+    const auto edge = credible_regions(model, kX, kY, worth)[0];
+    double sum = 0;
+    for (const ContourPiece& p : edge) sum += std::hypot(p.x0 - 3, p.y0 + 7);
+    return sum / static_cast<double>(edge.size());
+  };
+  // A Gaussian of variance 1 smoothed by one of n^(-1/3) has variance 1 + n^(-1/3).
+  const double wide = mean_radius(100) / mean_radius({});
+  EXPECT_NEAR(wide, std::sqrt((1 + std::cbrt(1.0 / 100)) / (1 + std::cbrt(1.0 / 5000))), 0.02);
+  EXPECT_EQ(mean_radius(1e9), mean_radius({})) << "never more than there are";
+}
+
 TEST(CredibleRegions, AreMadeAnewOnlyForOtherAxesOrManyMoreDraws) {
   ExplorerModel model = gaussian_draws(1000, 1, 1, 0.5);
   CredibleRegions regions;
