@@ -245,7 +245,11 @@ void App::start_export(const std::filesystem::path& folder) {
 
 void App::star_shown() {
   ExplorerModel& model = session_.model();
-  if (const auto draw = shown_draw(session_).draw) model.star(*draw, !model.starred(*draw));
+  if (const auto draw = shown_draw(session_).draw) {
+    model.star(*draw, !model.starred(*draw));
+  } else {
+    banner_.show(ErrorBanner::Kind::notice, "Only a draw can be starred: click one in the plot first.");
+  }
 }
 
 }  // namespace patina

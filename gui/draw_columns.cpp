@@ -91,6 +91,23 @@ double DrawColumns::place(const PlotAxis& axis, std::size_t draw) const {
   return 0;
 }
 
+void DrawColumns::places(const PlotAxis& axis, std::size_t first, std::span<double> places) const {
+  const bool as_kept = axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
+  const ChunkedColumn<double>& column =
+      axis.kind == PlotAxis::Kind::continuous ? continuous_[axis.index] : lp_;
+  for (std::size_t i = 0; i < places.size();) {
+    if (as_kept) {
+      const auto run = column.run(first + i);
+      const std::size_t count = std::min(run.size(), places.size() - i);
+      std::copy_n(run.begin(), count, places.begin() + static_cast<std::ptrdiff_t>(i));
+      i += count;
+    } else {
+      places[i] = place(axis, first + i);
+      ++i;
+    }
+  }
+}
+
 std::size_t DrawColumns::column_of(const PlotAxis& axis) const {
   switch (axis.kind) {
     case PlotAxis::Kind::continuous:

@@ -1,6 +1,7 @@
 #include "gui/explorer_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -83,14 +84,20 @@ std::optional<std::size_t> ExplorerModel::nearest(const PlotAxis& x, const PlotA
   assert(pixel.x > 0 && pixel.y > 0);
   std::optional<std::size_t> found;
   double least = reach * reach;
-  for (std::size_t draw = 0; draw < draws_.size(); ++draw) {
-    const double dx = (draws_.place(x, draw) - at.x) / pixel.x;
-    const double dy = (draws_.place(y, draw) - at.y) / pixel.y;
-    const double distance = dx * dx + dy * dy;
-    // <= for the first, so that a draw exactly at the reach counts; NaN compares false.
-    if ((found ? distance < least : distance <= least) && visible(draw)) {
-      found = draw;
-      least = distance;
+  const double across = 1 / pixel.x, up = 1 / pixel.y;
+  std::array<double, 2048> xs{}, ys{};
+  for (std::size_t first = 0; first < draws_.size(); first += xs.size()) {
+    const std::size_t count = std::min(xs.size(), draws_.size() - first);
+    draws_.places(x, first, std::span(xs).first(count));
+    draws_.places(y, first, std::span(ys).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double dx = (xs[i] - at.x) * across, dy = (ys[i] - at.y) * up;
+      const double distance = dx * dx + dy * dy;
+      // <= for the first, so that a draw exactly at the reach counts; NaN compares false.
+      if ((found ? distance < least : distance <= least) && visible(first + i)) {
+        found = first + i;
+        least = distance;
+      }
     }
   }
   return found;

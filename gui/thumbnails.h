@@ -18,8 +18,8 @@ namespace patina {
 /// Small renders of draws, made one after the other on a thread of their own, and kept.
 class Thumbnails {
  public:
-  static constexpr int kSmall = 128;         ///< pixels a side
-  static constexpr std::size_t kMost = 256;  ///< kept; those that were not looked at for longest go
+  static constexpr int kSmall = 256;         ///< pixels a side; with fewer bumps look smoother than they are
+  static constexpr std::size_t kMost = 128;  ///< kept; those that were not looked at for longest go
 
   /// @param wake  called from the thread when a render is done
   Thumbnails(const Gl& gl, std::function<void()> wake);

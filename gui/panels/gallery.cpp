@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr float kCard = 9.4f;      // em, a picture's side
+constexpr float kCard = 9.6f;      // em, a picture's side
 constexpr float kComparison = 20;  // em, at most
 constexpr int kCompared = 512;     // pixels a side
 
@@ -44,6 +44,10 @@ void Gallery::draw(const PanelContext& context, const Rect& rect, const GalleryA
   ImGui::BeginChild("gallery", rect.size);
   draw_head(context, actions);
   if (a_ && b_) draw_comparison(session);
+  if (a_.has_value() != b_.has_value()) {
+    muted_text(a_ ? "Press B under another draw to compare it with A."
+                  : "Press A under another draw to compare it with B.");
+  }
   heading_text(context, "Starred");
   const auto stars = starred(model);
   if (stars.empty()) {
@@ -52,6 +56,7 @@ void Gallery::draw(const PanelContext& context, const Rect& rect, const GalleryA
         "run.");
   }
   draw_cards(context, stars, actions);
+  ImGui::Spacing();
   heading_text(context, "Kinds of solution");
   tooltip("Draws that agree in every choice and lie in one cloud; of each kind the draw that matches best.");
   const auto kinds = modes(model);
@@ -183,7 +188,7 @@ void Gallery::draw_note(ExplorerModel& model, std::size_t star) {
 }
 
 void Gallery::draw_buttons(const PanelContext& context, const Card& card, const GalleryActions& actions) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.4f * ImGui::GetFontSize(), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.3f * ImGui::GetFontSize(), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                       {0.2f * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y});
   const auto side = [&](const char* label, std::optional<std::size_t>& chosen, const char* hint) {
@@ -194,7 +199,7 @@ void Gallery::draw_buttons(const PanelContext& context, const Card& card, const 
   };
   side("A", a_, "Compare this draw, as A, with another, B");
   side("B", b_, "Compare this draw, as B, with another, A");
-  if (ImGui::Button("Export..."))
+  if (ImGui::Button("Export"))
     context.commands.push_back([export_draw = actions.export_draw, draw = card.draw] { export_draw(draw); });
   tooltip("Write this draw's parameters, render and maps to a folder");
   ImGui::SameLine();

@@ -99,6 +99,19 @@ TEST(ExplorerModel, NearestIsWhatAnExhaustiveSearchInPixelsFinds) {
   }
 }
 
+TEST(DrawColumns, ManyPlacesAtOnceAreThoseOfTheDrawsOneByOne) {
+  ExplorerModel model(small_table());
+  model.append(random_draws(10'000, 7));  // more than two chunks
+  for (const PlotAxis& axis : {kX, kCells, kLp, PlotAxis{PlotAxis::Kind::iteration, 0}}) {
+    for (const std::size_t first : {0u, 4095u, 4096u, 5000u, 9999u}) {
+      std::vector<double> places(10'000 - first);
+      model.draws().places(axis, first, places);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        ASSERT_EQ(places[i], model.draws().place(axis, first + i)) << first << ", " << i;
+    }
+  }
+}
+
 TEST(ExplorerModel, AHiddenWarmupDrawCannotBeHitUnlessThereIsNothingElse) {
   ExplorerModel model(small_table());
   model.append(std::vector{draw_at(0.2, 0.2, -1, true)});
