@@ -29,6 +29,16 @@ std::filesystem::path home() {
   return home != nullptr && *home == '/' ? home : "/";
 }
 
+ExportRequest export_request(const PreviewRequest& picture) {
+  return {picture.material, picture.z_seed, picture.capture, picture.values, picture.resolution};
+}
+
+/// "chain2-step1405": a draw's place in the run, for names of files.
+std::string place_name(const DrawColumns& draws, std::size_t draw) {
+  return "chain" + std::to_string(draws.chain(draw) + 1) + "-step" +
+         std::to_string(draws.iteration(draw) + 1);
+}
+
 }  // namespace
 
 App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
@@ -38,7 +48,7 @@ App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
       previews_([&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
-      scatter_(window.gl()) {}
+      scatter_(window.gl(), [&window] { window.wake(); }) {}
 
 void App::attempt(const std::function<void()>& action) {
   try {
@@ -58,6 +68,7 @@ void App::load(const std::filesystem::path& path) {
 }
 
 double App::patience() const {
+  if (scatter_.busy()) return 0;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
   if (session_.is_live()) return 0.5;
@@ -71,6 +82,8 @@ void App::frame(double longest_wait) {
   handle_keys();
   draw_panels();
   for (const auto& command : std::exchange(commands_, {})) attempt(command);
+  note_step();
+  attempt([this] { session_.save_stars(); });
   window_.end_frame();
 }
 
@@ -100,9 +113,31 @@ void App::handle_escape() {
     help_open_ = false;
   } else if (banner_.visible()) {
     banner_.dismiss();
+  } else if (!session_.model().marked().empty()) {
+    session_.model().mark({}, Marking::replace);
   } else {
     session_.model().select(std::nullopt);
   }
+}
+
+void App::undo() {
+  if (history_run_ == session_.run_version() && history_.undo()) session_.model().restore(history_.now());
+}
+
+void App::redo() {
+  if (history_run_ == session_.run_version() && history_.redo()) session_.model().restore(history_.now());
+}
+
+void App::note_step() {
+  const ExplorerChoices& choices = session_.model().choices();
+  if (history_run_ != session_.run_version()) {
+    history_ = History<ExplorerChoices>(choices);
+    history_run_ = session_.run_version();
+  }
+  // A gesture is one step, however much it changes on its way.
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool key_down = std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
+  if (!ImGui::IsAnyMouseDown() && !key_down) history_.change(choices, true);
 }
 
 void App::handle_keys() {
@@ -110,11 +145,16 @@ void App::handle_keys() {
   const auto pressed = [](ImGuiKey key, bool repeat) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
   };
-  if (pressed(ImGuiKey_Escape, false)) handle_escape();
+  // While a note is typed, Esc only ends that.
+  if (pressed(ImGuiKey_Escape, false) && (!io.WantTextInput || dialog_.visible())) handle_escape();
   if (io.WantTextInput || dialog_.visible()) return;
   if (io.KeyCtrl && ImGui::IsKeyPressed('O', false)) ask_to_open();
   if (io.KeyCtrl && ImGui::IsKeyPressed('E', false)) ask_to_export();
+  if (io.KeyCtrl && ImGui::IsKeyPressed('Z')) io.KeyShift ? redo() : undo();
+  if (io.KeyCtrl && ImGui::IsKeyPressed('Y')) redo();
   if (io.InputQueueCharacters.contains(static_cast<ImWchar>('?'))) help_open_ = !help_open_;
+  if (!io.KeyCtrl && ImGui::IsKeyPressed('S', false)) star_shown();
+  scatter_.handle_keys(session_.model());
   if (pressed(ImGuiKey_LeftArrow, true)) session_.model().select_better();
   if (pressed(ImGuiKey_RightArrow, true)) session_.model().select_worse();
   if (pressed(ImGuiKey_Space, false) && session_.is_live() && session_.run().can_control()) {
@@ -136,7 +176,9 @@ void App::draw_panels() {
   draw_top_bar(context, layout.top_bar, open_dialog, [this] { help_open_ = true; });
   photo_.draw(context, layout.photo, open_dialog);
   preview_.draw(context, layout.preview, shown, photo_.picture(), previews_.problem(), previews_.waiting());
-  scatter_.draw(context, layout.scatter);
+  scatter_.draw(
+      context, layout.scatter,
+      {[this](std::size_t draw) { ask_to_export_draw(draw); }, [this] { ask_to_export_starred(); }});
   material_.draw(context, layout.material, shown);
   draw_chains_panel(context, layout.chains);
   draw_.draw(context, layout.draw, shown, note, [this] { ask_to_export(); });
@@ -163,24 +205,51 @@ void App::ask_to_open() {
 }
 
 void App::ask_to_export() {
-  if (exporter_.busy()) return;
   const ShownDraw shown = shown_draw(session_);
   const PreviewRequest picture = preview_request(session_, shown, draw_.export_resolution());
-  export_request_ =
-      ExportRequest{picture.material, picture.z_seed, picture.capture, picture.values, picture.resolution};
   std::string name = picture.material;
   if (session_.has_photo()) name = session_.photo_name() + "-" + name;
-  if (shown.draw) {
-    const DrawColumns& draws = session_.model().draws();
-    name += "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
-            std::to_string(draws.iteration(*shown.draw) + 1);
+  if (shown.draw) name += "-" + place_name(session_.model().draws(), *shown.draw);
+  ask_for_export_folder({{export_request(picture), {}}}, name);
+}
+
+void App::ask_to_export_draw(std::size_t draw) {
+  session_.model().select(draw);
+  ask_to_export();
+}
+
+void App::ask_to_export_starred() {
+  const ExplorerModel& model = session_.model();
+  std::vector<ExportJob> jobs;
+  for (const Star& star : model.stars()) {
+    const auto draw = model.draw_of(star);
+    if (!draw) continue;
+    const ShownDraw shown{ShownDraw::Kind::selected, draw, model.draws().lp(*draw),
+                          model.draws().values(*draw)};
+    jobs.push_back({export_request(preview_request(session_, shown, draw_.export_resolution())),
+                    place_name(model.draws(), *draw)});
   }
+  if (!jobs.empty()) ask_for_export_folder(std::move(jobs), session_.photo_name() + "-starred");
+}
+
+void App::ask_for_export_folder(std::vector<ExportJob> jobs, const std::string& name) {
+  if (exporter_.busy()) return;
+  export_jobs_ = std::move(jobs);
   const auto last = dialog_.folder();
   dialog_.show(FileDialog::Purpose::export_folder, last.empty() ? home() : last, name);
 }
 
 void App::start_export(const std::filesystem::path& folder) {
-  if (export_request_ && !exporter_.busy()) exporter_.start(*export_request_, folder);
+  if (!exporter_.busy()) exporter_.start(export_jobs_, folder);
+}
+
+void App::star_shown() {
+  ExplorerModel& model = session_.model();
+  if (const auto draw = shown_draw(session_).draw) {
+    model.star(*draw, !model.starred(*draw));
+  } else {
+    banner_.show(ErrorBanner::Kind::notice, "Only a draw can be starred: click one in the plot first.");
+  }
 }
 
 }  // namespace patina

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
+#include "gui/history.h"
 #include "gui/layout.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/error_banner.h"
@@ -51,10 +52,17 @@ class App {
   void handle_keys();
   void handle_escape();
   void draw_panels();
+  void undo();
+  void redo();
+  void note_step();
   void draw_dialogs(const PanelContext& context);
   void ask_to_open();
   void ask_to_export();
+  void ask_to_export_draw(std::size_t draw);
+  void ask_to_export_starred();
+  void ask_for_export_folder(std::vector<ExportJob> jobs, const std::string& name);
   void start_export(const std::filesystem::path& folder);
+  void star_shown();
 
   Window& window_;
   Fonts fonts_;
@@ -70,7 +78,9 @@ class App {
   MaterialPanel material_;
   DrawPanel draw_;
   Commands commands_;
-  std::optional<ExportRequest> export_request_;  ///< what the export dialog is open for
+  History<ExplorerChoices> history_{ExplorerChoices()};  ///< of what the user chose about the run's draws
+  int history_run_ = 0;
+  std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
 };

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace patina {
@@ -14,6 +16,12 @@ class ChunkedColumn {
   std::size_t size() const { return size_; }
 
   const T& operator[](std::size_t index) const { return chunks_[index / kChunk][index % kChunk]; }
+
+  /// The elements from `first` on that lie side by side: the rest of its chunk.
+  std::span<const T> run(std::size_t first) const {
+    const std::size_t end = std::min(size_, (first / kChunk + 1) * kChunk);
+    return {&chunks_[first / kChunk][first % kChunk], end - first};
+  }
 
   void push_back(T value) {
     if (size_ % kChunk == 0) chunks_.push_back(std::make_unique<T[]>(kChunk));

@@ -29,7 +29,7 @@ void DrawColumns::Extent::include(double value) {
 DrawColumns::DrawColumns(const ParameterTable& table)
     : continuous_(table.continuous.size()),
       discrete_(table.discrete.size()),
-      extent_of_all_(continuous_.size() + discrete_.size() + 1),
+      extent_of_all_(continuous_.size() + discrete_.size() + 2),
       extent_of_sampling_(extent_of_all_.size()) {}
 
 void DrawColumns::append(std::span<const Draw> draws) {
@@ -50,6 +50,12 @@ void DrawColumns::append(const Draw& draw) {
       static_cast<std::uint8_t>((draw.warmup ? kWarmup : 0) | (draw.divergent ? kDivergent : 0)));
   chain_count_ = std::max(chain_count_, draw.chain + 1);
   sampling_count_ += draw.warmup ? 0 : 1;
+  if (draw.warmup) warmup_steps_ = std::max(warmup_steps_, draw.iteration + 1);
+  const auto improve = [&](std::optional<std::size_t>& best) {
+    if (!std::isnan(draw.lp) && (!best || draw.lp > lp_[*best])) best = size() - 1;
+  };
+  improve(best_of_all_);
+  if (!draw.warmup) improve(best_of_sampling_);
 
   const auto include = [&](std::size_t column, double value) {
     extent_of_all_[column].include(value);
@@ -60,7 +66,8 @@ void DrawColumns::append(const Draw& draw) {
     include(continuous_.size() + i, draw.values.discrete[i] - 0.5);
     include(continuous_.size() + i, draw.values.discrete[i] + 0.5);
   }
-  include(extent_of_all_.size() - 1, draw.lp);
+  include(extent_of_all_.size() - 2, draw.lp);
+  include(extent_of_all_.size() - 1, static_cast<double>(draw.iteration));
 }
 
 ParameterValues DrawColumns::values(std::size_t draw) const {
@@ -78,8 +85,27 @@ double DrawColumns::place(const PlotAxis& axis, std::size_t draw) const {
       return discrete_[axis.index][draw] + kSpread * scatter(draw);
     case PlotAxis::Kind::log_posterior:
       return lp_[draw];
+    case PlotAxis::Kind::iteration:
+      return static_cast<double>(iteration_[draw]);
   }
   return 0;
+}
+
+void DrawColumns::places(const PlotAxis& axis, std::size_t first, std::span<double> places) const {
+  const bool as_kept = axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
+  const ChunkedColumn<double>& column =
+      axis.kind == PlotAxis::Kind::continuous ? continuous_[axis.index] : lp_;
+  for (std::size_t i = 0; i < places.size();) {
+    if (as_kept) {
+      const auto run = column.run(first + i);
+      const std::size_t count = std::min(run.size(), places.size() - i);
+      std::copy_n(run.begin(), count, places.begin() + static_cast<std::ptrdiff_t>(i));
+      i += count;
+    } else {
+      places[i] = place(axis, first + i);
+      ++i;
+    }
+  }
 }
 
 std::size_t DrawColumns::column_of(const PlotAxis& axis) const {
@@ -90,6 +116,8 @@ std::size_t DrawColumns::column_of(const PlotAxis& axis) const {
       return continuous_.size() + axis.index;
     case PlotAxis::Kind::log_posterior:
       return continuous_.size() + discrete_.size();
+    case PlotAxis::Kind::iteration:
+      return continuous_.size() + discrete_.size() + 1;
   }
   return 0;
 }

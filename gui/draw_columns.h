@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,8 @@ class DrawColumns {
   std::size_t size() const { return lp_.size(); }
   std::size_t sampling_count() const { return sampling_count_; }  ///< draws after warm-up
   int chain_count() const { return chain_count_; }
+  /// Steps of warm-up, as far as draws tell: one more than the last iteration of a draw of warm-up.
+  std::int64_t warmup_steps() const { return warmup_steps_; }
 
   double lp(std::size_t draw) const { return lp_[draw]; }
   int chain(std::size_t draw) const { return chain_[draw]; }
@@ -30,9 +33,17 @@ class DrawColumns {
   bool divergent(std::size_t draw) const { return (flags_[draw] & kDivergent) != 0; }
   ParameterValues values(std::size_t draw) const;
 
+  /// The first of those with the highest lp, of the draws after warm-up or of all.
+  std::optional<std::size_t> best(bool after_warmup) const {
+    return after_warmup ? best_of_sampling_ : best_of_all_;
+  }
+
   /// Where the draw lies along an axis. Levels of a discrete parameter are spread over +-0.3, each draw by an
   /// amount of its own, so that a cloud can be seen and clicked.
   double place(const PlotAxis& axis, std::size_t draw) const;
+
+  /// place() of the draws from `first` on, as many as fit; faster for many.
+  void places(const PlotAxis& axis, std::size_t first, std::span<double> places) const;
 
   /// From the lowest to the highest finite place of the draws after warm-up, or of all draws; nothing yet:
   /// [0, 1].
@@ -55,9 +66,11 @@ class DrawColumns {
   ChunkedColumn<std::int32_t> chain_;
   ChunkedColumn<std::int64_t> iteration_;
   ChunkedColumn<std::uint8_t> flags_;
-  std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp
+  std::vector<Extent> extent_of_all_, extent_of_sampling_;  ///< continuous, discrete, lp, iteration
+  std::optional<std::size_t> best_of_all_, best_of_sampling_;
   std::size_t sampling_count_ = 0;
   int chain_count_ = 0;
+  std::int64_t warmup_steps_ = 0;
 };
 
 }  // namespace patina

@@ -3,15 +3,18 @@
 #include <cassert>
 #include <chrono>
 #include <exception>
+#include <utility>
 
 namespace patina {
 
-void ExportWorker::start(const ExportRequest& request, const std::filesystem::path& folder) {
+void ExportWorker::start(std::vector<ExportJob> jobs, const std::filesystem::path& folder) {
   assert(!busy());
-  pending_ = std::async(std::launch::async, [request, folder] {
+  pending_ = std::async(std::launch::async, [jobs = std::move(jobs), folder] {
     Outcome outcome{folder, {}};
     try {
-      export_draw(request, folder);
+      for (const ExportJob& job : jobs) {
+        export_draw(job.request, job.subfolder.empty() ? folder : folder / job.subfolder);
+      }
     } catch (const std::exception& error) {
       outcome.error = error.what();
     }

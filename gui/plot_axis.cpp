@@ -17,6 +17,7 @@ std::vector<PlotAxis> plot_axes(const ParameterTable& table) {
 
 std::string axis_label(const ParameterTable& table, const PlotAxis& axis) {
   if (axis.kind == PlotAxis::Kind::log_posterior) return "Match (log posterior)";
+  if (axis.kind == PlotAxis::Kind::iteration) return "Step";
   if (axis.kind == PlotAxis::Kind::discrete) return parameter_label(table.discrete[axis.index].name);
   const Parameter& parameter = table.continuous[axis.index];
   const std::string label = parameter_label(parameter.name);
@@ -24,6 +25,7 @@ std::string axis_label(const ParameterTable& table, const PlotAxis& axis) {
 }
 
 std::string tick_label(const ParameterTable& table, const PlotAxis& axis, double value) {
+  if (axis.kind == PlotAxis::Kind::iteration) return value < 0 ? "" : count_text(std::llround(value));
   if (axis.kind != PlotAxis::Kind::discrete) return number_text(value, 4);
   const auto& levels = table.discrete[axis.index].levels;
   const double level = std::round(value);

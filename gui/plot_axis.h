@@ -8,9 +8,9 @@
 
 namespace patina {
 
-/// What an axis of the scatter plot shows.
+/// What an axis of a plot shows.
 struct PlotAxis {
-  enum class Kind { continuous, discrete, log_posterior };
+  enum class Kind { continuous, discrete, log_posterior, iteration };
   Kind kind = Kind::log_posterior;
   std::size_t index = 0;  ///< in the table's continuous or discrete parameters
   bool operator==(const PlotAxis&) const = default;
@@ -24,7 +24,7 @@ struct PlotRange {
   bool operator==(const PlotRange&) const = default;
 };
 
-/// Every axis a material's draws can be plotted along: its continuous parameters, its discrete ones, lp.
+/// What a material's draws can be compared by: its continuous parameters, its discrete ones, lp.
 std::vector<PlotAxis> plot_axes(const ParameterTable& table);
 
 /// The axis in words, with its unit: "Bump frequency (cycles/cm)".

@@ -89,6 +89,7 @@ void Session::let_run_go() {
                           [old = std::shared_ptr<DrawSource>(std::move(source_))]() mutable { old.reset(); });
   }
   model_ = ExplorerModel();
+  kept_stars_.clear();
   status_ = RunStatus();
   summary_.reset();
   readable_ = true;
@@ -101,6 +102,23 @@ void Session::adopt(std::unique_ptr<DrawSource> source) {
   model_ = ExplorerModel(source_->table());
   summary_worker_ = std::make_unique<SummaryWorker>(source_->table(), wake_);
   status_ = source_->status();
+  load_stars();
+}
+
+void Session::load_stars() {
+  try {
+    kept_stars_ = read_stars(source_->directory());
+    model_.set_stars(kept_stars_);
+  } catch (const UserError& error) {
+    stars_problem_ = error.what();
+  }
+}
+
+void Session::save_stars() {
+  if (!stars_problem_.empty()) throw UserError(std::exchange(stars_problem_, {}));
+  if (!source_ || model_.stars() == kept_stars_) return;
+  kept_stars_ = model_.stars();  // also where it fails: the same words every frame help nobody
+  write_stars(source_->directory(), kept_stars_);
 }
 
 void Session::pause() {

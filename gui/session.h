@@ -62,6 +62,10 @@ class Session {
   /// Whether the run must be polled even if nothing wakes the window (another process may be writing it).
   bool is_live() const;
 
+  /// Keeps the model's stars in the run directory if they changed since the last call.
+  /// @throws UserError if that fails, and once where those that were kept there cannot be read
+  void save_stars();
+
   ExplorerModel& model() { return model_; }
   const ExplorerModel& model() const { return model_; }
   const RunStatus& status() const { return status_; }
@@ -72,6 +76,7 @@ class Session {
   void open_run_directory(const std::filesystem::path& directory);
   void let_run_go();
   void adopt(std::unique_ptr<DrawSource> source);
+  void load_stars();
 
   RunFactory factory_;
   std::filesystem::path runs_;
@@ -83,6 +88,8 @@ class Session {
   ExplorerModel model_;
   RunStatus status_;
   std::optional<RunSummary> summary_;
+  std::vector<Star> kept_stars_;  ///< as the run directory has them
+  std::string stars_problem_;     ///< why they could not be read
   bool readable_ = true;
   int photo_version_ = 0;
   int run_version_ = 0;

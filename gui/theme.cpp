@@ -1,6 +1,8 @@
 #include "gui/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace patina::theme {
 namespace {
@@ -51,7 +53,41 @@ void apply_colors(ImGuiStyle& style) {
   set(IM_COL32(255, 255, 255, 255), {ImGuiCol_TableRowBgAlt}, 0.02f);
 }
 
+float srgb(double linear) {
+  const double clamped = std::clamp(linear, 0.0, 1.0);
+  return static_cast<float>(clamped <= 0.0031308 ? 12.92 * clamped
+                                                 : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055);
+}
+
+ImU32 oklab_color(double lightness, double a, double b) {
+  const auto cube = [](double v) { return v * v * v; };
+  const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b),
+               m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b),
+               s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
+  return ImGui::ColorConvertFloat4ToU32({srgb(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+                                         srgb(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+                                         srgb(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s), 1});
+}
+
+constexpr std::size_t kRampColors = 256;
+
+std::array<ImU32, kRampColors> make_ramp() {
+  std::array<ImU32, kRampColors> ramp{};
+  for (std::size_t i = 0; i < kRampColors; ++i) {
+    const double t = static_cast<double>(i) / (kRampColors - 1);
+    const double lightness = std::lerp(0.42, 0.96, t), hue = std::lerp(4.6, 1.85, t), chroma = 0.115;
+    ramp[i] = oklab_color(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
+  }
+  return ramp;
+}
+
 }  // namespace
+
+ImU32 ramp_color(double t) {
+  static const std::array<ImU32, kRampColors> kRamp = make_ramp();
+  if (!(t > 0)) return kRamp.front();
+  return kRamp[static_cast<std::size_t>(std::lround(std::min(t, 1.0) * (kRampColors - 1)))];
+}
 
 ImU32 chain_color(int chain) {
   static constexpr std::array<ImU32, 8> kColors{IM_COL32(86, 180, 233, 255), IM_COL32(240, 170, 50, 255),

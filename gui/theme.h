@@ -19,6 +19,10 @@ inline constexpr ImU32 kError = IM_COL32(226, 106, 92, 255);
 /// A chain's colour, told apart by colour-blind eyes too (Okabe & Ito 2008, lightened for a dark ground).
 ImU32 chain_color(int chain);
 
+/// Low to high, t from 0 to 1, as a colour: from deep blue over green to pale yellow, lightness linear in t,
+/// so that it reads the same to colour-blind eyes (a path through Oklab, Ottosson 2020).
+ImU32 ramp_color(double t);
+
 /// Sets Dear ImGui's colours and spacing. @param font_size pixels; all spacing grows with it
 void apply(float font_size);
 

@@ -62,6 +62,8 @@ class Texture {
 
   /// Replaces the contents of a texture made by floats(); same size and channels.
   void update(const Image& image) const;
+  /// Replaces a part of a texture made by rgba8(). @param bytes  width * height * 4
+  void update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes) const;
 
   Image read() const;  ///< what it holds: RGBA, rows from the top; bytes as [0,1]
 

@@ -59,7 +59,7 @@ void PointRenderer::set_view(const PlotWindow& window, int width, int height) {
   stale_ = true;
   if (!resized) return;
   target_.emplace(gl_, width, height, TextureFilter::nearest);
-  density_texture_.reset();
+  density_picture_.reset();
 }
 
 void PointRenderer::set_style(const PointStyle& style) {
@@ -117,19 +117,22 @@ void PointRenderer::draw_points(std::span<const PlotPoint> fresh) {
 }
 
 void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
-  for (const PlotPoint& point : fresh) density_.add(point.x, point.y);
-  if (density_texture_) {
-    density_texture_->update(density_.counts());
+  for (const PlotPoint& point : fresh) {
+    point.dimmed ? density_.add_dimmed(point.x, point.y) : density_.add(point.x, point.y, point.color);
+  }
+  const auto picture = density_picture(density_.cells(), style_.density_colours);
+  const int columns = density_.cells().dimmed.width, rows = density_.cells().dimmed.height;
+  if (density_picture_) {
+    density_picture_->update(0, 0, columns, rows, picture);
   } else {
-    density_texture_ = Texture::floats(gl_, density_.counts());
+    density_picture_ = Texture::rgba8(gl_, columns, rows, picture, TextureFilter::linear);
   }
   target_->bind();
   gl_.Disable(GL_BLEND);
   density_program_.use();
-  density_texture_->bind(0);
-  gl_.Uniform1i(density_program_.location("counts"), 0);
+  density_picture_->bind(0);
+  gl_.Uniform1i(density_program_.location("picture"), 0);
   gl_.Uniform1f(density_program_.location("cell"), DensityGrid::kCellPixels);
-  gl_.Uniform1f(density_program_.location("peak"), static_cast<float>(density_.peak()));
   empty_.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }

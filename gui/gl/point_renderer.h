@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gui/gl/density_grid.h"
+#include "gui/density_picture.h"
 #include "gui/gl/objects.h"
 
 namespace patina {
@@ -14,7 +14,7 @@ namespace patina {
 struct PlotPoint {
   double x = 0, y = 0;      ///< data units
   std::uint32_t color = 0;  ///< as ImU32: red in the lowest byte, not premultiplied
-  bool dimmed = false;      ///< a warm-up draw: fainter and beneath notice
+  bool dimmed = false;      ///< fainter and beneath notice
 };
 
 struct PointStyle {
@@ -22,6 +22,7 @@ struct PointStyle {
   /// From this many points on a map of their density is shown instead: a plot is covered by then, and a
   /// processor that draws in software needs 20 ms for them.
   std::size_t density_above = 30'000;
+  DensityColours density_colours = DensityColours::count;
   bool operator==(const PointStyle&) const = default;
 };
 
@@ -49,9 +50,7 @@ class PointRenderer {
   Image read() const { return target_->read(); }
 
   bool shows_density() const { return points_.size() > style_.density_above; }
-  /// Points in the fullest cell of the density map (the top of its colour scale), and in all cells: those in
-  /// view.
-  std::uint32_t density_peak() const { return density_.peak(); }
+  /// Points in all cells of the density map: those in view.
   std::uint64_t density_total() const { return density_.total(); }
 
  private:
@@ -68,7 +67,7 @@ class PointRenderer {
   bool stale_ = true;      ///< all has to be drawn anew
   PlotWindow window_;
   DensityGrid density_;
-  std::optional<Texture> density_texture_;
+  std::optional<Texture> density_picture_;
   std::optional<Framebuffer> target_;
 };
 

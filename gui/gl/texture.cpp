@@ -111,6 +111,13 @@ void Texture::update(const Image& image) const {
                      image.pixels.data());
 }
 
+void Texture::update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes) const {
+  assert(bytes.size() == 4 * static_cast<std::size_t>(width) * height);
+  assert(left >= 0 && top >= 0 && left + width <= width_ && top + height <= height_);
+  bind(0);
+  gl().TexSubImage2D(GL_TEXTURE_2D, 0, left, top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+}
+
 Image Texture::read() const {
   Image image(width_, height_, 4);
   bind(0);

@@ -24,7 +24,7 @@ std::string describe(const ExplorerModel& model, const ShownDraw& shown) {
   return text;
 }
 
-void draw_walk(const PanelContext& context) {
+void draw_walk(const PanelContext& context, const ShownDraw& shown) {
   ExplorerModel& model = context.session.model();
   ImGui::BeginDisabled(model.draws().size() == 0);
   if (ImGui::ArrowButton("##better", ImGuiDir_Left))
@@ -37,6 +37,14 @@ void draw_walk(const PanelContext& context) {
   ImGui::SameLine();
   if (ImGui::Button("Best")) context.commands.push_back([&model] { model.select(model.best()); });
   tooltip("Select the draw that matches best");
+  ImGui::SameLine();
+  const bool starred = shown.draw && model.starred(*shown.draw);
+  ImGui::BeginDisabled(!shown.draw);
+  if (ImGui::Button(starred ? "Unstar" : "Star")) {
+    context.commands.push_back([&model, draw = *shown.draw, starred] { model.star(draw, !starred); });
+  }
+  tooltip(starred ? "Take the star away (S)" : "Keep this draw in the gallery (S)");
+  ImGui::EndDisabled();
   ImGui::EndDisabled();
 }
 
@@ -61,7 +69,7 @@ void DrawPanel::draw(const PanelContext& context, const Rect& rect, const ShownD
   if (!export_note.empty()) elided_text(export_note, ImGui::GetContentRegionAvail().x, theme::kAccent);
   const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
-  draw_walk(context);
+  draw_walk(context, shown);
   draw_export(context, ask_to_export);
 }
 

@@ -10,17 +10,25 @@ namespace {
 
 using Line = std::pair<const char*, const char*>;
 
-constexpr std::array<Line, 11> kKeys{{{"Drop a file", "Open a photo, or a run's directory"},
-                                      {"Ctrl+O", "Open a photo or a run"},
-                                      {"Space", "Pause or resume the run"},
-                                      {"Left, right", "Next better, next less likely draw"},
-                                      {"Esc", "Let go of the selected draw; dismiss a message"},
-                                      {"Ctrl+E", "Export the draw that is shown"},
-                                      {"?", "This sheet"},
-                                      {"Click in the plot", "Select the nearest draw; its render appears"},
-                                      {"Wheel, right drag", "Zoom and move the plot"},
-                                      {"Double click", "Show all draws again"},
-                                      {"Drag in the render", "Wipe between photo and render"}}};
+constexpr std::array<Line, 18> kKeys{
+    {{"Drop a file", "Open a photo, or a run's directory"},
+     {"Ctrl+O", "Open a photo or a run"},
+     {"Space", "Pause or resume the run"},
+     {"Left, right", "Next better, next less likely draw"},
+     {"Esc", "Let go of the marked draws, then of the selected one; dismiss a message"},
+     {"Ctrl+Z, Ctrl+Y", "Undo, redo"},
+     {"Ctrl+E", "Export the draw that is shown"},
+     {"S", "Star the draw that is shown, or take its star away"},
+     {"P, A, T, G", "One plot, all pairs, trace, gallery"},
+     {"B, L", "Mark draws by dragging a box, or a line around them"},
+     {"K", "Contours around half of the draws, and nine in ten"},
+     {"M", "What the marked draws range over"},
+     {"?", "This sheet"},
+     {"Click in the plot", "Select the nearest draw; its render appears"},
+     {"Drag in the plot", "Mark draws in every plot; Shift adds, Ctrl takes away"},
+     {"Wheel, right drag", "Zoom and move the plot"},
+     {"Double click", "Show all draws again"},
+     {"Drag in the render", "Wipe between photo and render"}}};
 
 constexpr std::array<Line, 6> kWords{
     {{"Draw", "One material that could have made the photo. Many draws show what the photo leaves open."},

@@ -87,6 +87,14 @@ bool primary_button(const char* label, ImVec2 size) {
   return pressed;
 }
 
+bool toggle_button(const char* label, bool on) {
+  ImGui::PushStyleColor(ImGuiCol_Button, on ? ImGui::GetColorU32(ImGuiCol_Button) : IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Text, on ? theme::kText : theme::kMuted);
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopStyleColor(2);
+  return pressed;
+}
+
 void align_right(float width) {
   ImGui::SameLine();
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));

@@ -47,6 +47,9 @@ void tooltip(const std::string& text);
 /// A button in the accent colour: what to do next.
 bool primary_button(const char* label, ImVec2 size = {0, 0});
 
+/// One of a few buttons of which one is on; the others are plain text.
+bool toggle_button(const char* label, bool on);
+
 /// Puts the next item, `width` wide, at the right edge of the line before.
 void align_right(float width);
 

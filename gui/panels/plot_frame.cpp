@@ -1,6 +1,7 @@
 #include "gui/panels/plot_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -25,7 +26,29 @@ std::vector<double> y_ticks(const PlotView& view, const PlotAxis& axis) {
   return ticks_of(axis, view.y, view.height, 3.5f * ImGui::GetFontSize());
 }
 
+constexpr int kStarCorners = 10;
+
+std::array<ImVec2, kStarCorners> star(ImVec2 centre, float radius) {
+  std::array<ImVec2, kStarCorners> corners;
+  for (int i = 0; i < kStarCorners; ++i) {
+    const double turn = 2 * M_PI * i / kStarCorners, reach = i % 2 == 0 ? radius : 0.45 * radius;
+    corners[static_cast<std::size_t>(i)] = {centre.x + static_cast<float>(reach * std::sin(turn)),
+                                            centre.y - static_cast<float>(reach * std::cos(turn))};
+  }
+  return corners;
+}
+
 }  // namespace
+
+void add_star(ImDrawList& list, ImVec2 centre, float radius, ImU32 color) {
+  const auto corners = star(centre, radius);
+  // A star is not convex: its middle and the triangles to its points are.
+  for (std::size_t i = 0; i < kStarCorners; i += 2) {
+    const ImVec2 before = corners[(i + kStarCorners - 1) % kStarCorners], after = corners[i + 1];
+    list.AddQuadFilled(centre, before, corners[i], after, color);
+  }
+  list.AddPolyline(corners.data(), kStarCorners, IM_COL32(0, 0, 0, 200), ImDrawFlags_Closed, 0.25f * radius);
+}
 
 void draw_plot_ground(const PlotView& view, const ParameterTable& table, const PlotAxis& x,
                       const PlotAxis& y) {

@@ -10,6 +10,9 @@ namespace patina {
 inline constexpr float kTickRoomLeft = 3.6f;
 inline constexpr float kTickRoomBelow = 1.6f;
 
+/// A star with five points, dark around it so that it is seen on any ground.
+void add_star(ImDrawList& list, ImVec2 centre, float radius, ImU32 color);
+
 /// Draws a plot's ground and grid lines.
 void draw_plot_ground(const PlotView& view, const ParameterTable& table, const PlotAxis& x,
                       const PlotAxis& y);

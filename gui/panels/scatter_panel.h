@@ -1,46 +1,57 @@
 #pragma once
 
-#include <cstddef>
-
-#include "gui/gl/point_renderer.h"
+#include "gui/panels/gallery.h"
+#include "gui/panels/marked_draws.h"
+#include "gui/panels/matrix_plot.h"
 #include "gui/panels/panel.h"
-#include "gui/plot_view.h"
+#include "gui/panels/scatter_plot.h"
+#include "gui/panels/trace_plot.h"
 
 namespace patina {
 
-/// The cloud of draws over any two parameters, as they arrive. A click selects the nearest draw; the wheel
-/// zooms, the right button moves the view, a double click shows all draws again.
+/// The draws, as they arrive: over any two parameters, over every pair of them, along the chains' steps, or
+/// as pictures; with what to show and what colours tell.
 class ScatterPanel {
  public:
-  explicit ScatterPanel(const Gl& gl);
-  void draw(const PanelContext& context, const Rect& rect);
+  enum class Show { plot, pairs, trace, gallery };
 
-  /// Where the plot was in the last frame, and what it showed.
-  const PlotView& view() const { return view_; }
+  /// @param wake  called from other threads when there is something new to draw
+  ScatterPanel(const Gl& gl, const std::function<void()>& wake)
+      : thumbnails_(gl, wake),
+        plot_(gl, thumbnails_),
+        matrix_(gl),
+        trace_(gl, thumbnails_),
+        gallery_(thumbnails_, wake) {}
+  void draw(const PanelContext& context, const Rect& rect, const GalleryActions& actions);
+
+  /// Answers this frame's keys, where no text is being typed.
+  void handle_keys(ExplorerModel& model);
+
+  Show shown() const { return show_; }
+  bool busy() const { return show_ == Show::pairs && matrix_.busy(); }  ///< another frame should follow
+
+  /// Where the plot of two parameters was in the last frame, and what it showed.
+  const PlotView& view() const { return plot_.view(); }
+  const MatrixPlot& matrix() const { return matrix_; }
+  const TracePlot& trace() const { return trace_; }
+  const Gallery& gallery() const { return gallery_; }
 
  private:
-  /// What the renderer's points were made from; anything else there means to begin again.
-  struct Contents {
-    int run = -1;
-    PlotAxis x, y;
-    bool hides_warmup = false;
-    bool dims_warmup = false;  ///< not while there is nothing else to see
-    bool operator==(const Contents&) const = default;
-  };
+  void draw_tabs();
+  void draw_choices(ExplorerModel& model);
+  void draw_shown(ExplorerModel& model);
+  void draw_plots(const PanelContext& context);
+  void draw_plot(const PanelContext& context, const Rect& rect);
+  void draw_tools(ExplorerModel& model);
 
-  void draw_choices(const PanelContext& context);
-  void place_plot();
-  void follow_draws(const Session& session);
-  void send_points(const ExplorerModel& model);
-  void handle_mouse(ExplorerModel& model);
-  void draw_marks(const ExplorerModel& model) const;
-  void draw_hover(const ExplorerModel& model) const;
-
-  PointRenderer points_;
-  Contents contents_;
-  PlotView view_;
-  bool following_ = true;  ///< the view follows the draws until the user moves it
-  std::size_t sent_ = 0;   ///< draws given to the renderer
+  Thumbnails thumbnails_;
+  ScatterPlot plot_;
+  MatrixPlot matrix_;
+  TracePlot trace_;
+  Gallery gallery_;
+  MarkedDraws marked_;
+  Show show_ = Show::plot;
+  MarkingTool tool_ = MarkingTool::box;
 };
 
 }  // namespace patina

@@ -81,7 +81,6 @@ TEST(ExplorerModel, LeavesOutDrawsOfAnotherTable) {
 TEST(ExplorerModel, NearestIsWhatAnExhaustiveSearchInPixelsFinds) {
   ExplorerModel model(small_table());
   model.append(random_draws(500, 2));
-  model.set_axes(kX, kLp);
   const double pixel_x = 1.0 / 700, pixel_y = 10.0 / 300;
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -94,9 +93,22 @@ TEST(ExplorerModel, NearestIsWhatAnExhaustiveSearchInPixelsFinds) {
           std::hypot((model.draws().values(i).continuous[0] - x) * 700, (model.draws().lp(i) - y) * 30);
       if (distance < least) least = distance, expected = i;
     }
-    EXPECT_EQ(model.nearest(x, y, pixel_x, pixel_y, 1e6), expected);
-    EXPECT_EQ(model.nearest(x, y, pixel_x, pixel_y, 0.99 * least), std::nullopt);
-    EXPECT_EQ(model.nearest(x, y, pixel_x, pixel_y, 1.01 * least), expected);
+    EXPECT_EQ(model.nearest(kX, kLp, {x, y}, {pixel_x, pixel_y}, 1e6), expected);
+    EXPECT_EQ(model.nearest(kX, kLp, {x, y}, {pixel_x, pixel_y}, 0.99 * least), std::nullopt);
+    EXPECT_EQ(model.nearest(kX, kLp, {x, y}, {pixel_x, pixel_y}, 1.01 * least), expected);
+  }
+}
+
+TEST(DrawColumns, ManyPlacesAtOnceAreThoseOfTheDrawsOneByOne) {
+  ExplorerModel model(small_table());
+  model.append(random_draws(10'000, 7));  // more than two chunks
+  for (const PlotAxis& axis : {kX, kCells, kLp, PlotAxis{PlotAxis::Kind::iteration, 0}}) {
+    for (const std::size_t first : {0u, 4095u, 4096u, 5000u, 9999u}) {
+      std::vector<double> places(10'000 - first);
+      model.draws().places(axis, first, places);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        ASSERT_EQ(places[i], model.draws().place(axis, first + i)) << first << ", " << i;
+    }
   }
 }
 
@@ -104,19 +116,19 @@ TEST(ExplorerModel, AHiddenWarmupDrawCannotBeHitUnlessThereIsNothingElse) {
   ExplorerModel model(small_table());
   model.append(std::vector{draw_at(0.2, 0.2, -1, true)});
   model.hide_warmup(true);
-  EXPECT_EQ(model.nearest(0.2, 0.2, 0.01, 0.01, 5), 0u);
+  EXPECT_EQ(model.nearest(kX, kY, {0.2, 0.2}, {0.01, 0.01}, 5), 0u);
   model.append(std::vector{draw_at(0.8, 0.8, -2)});
-  EXPECT_EQ(model.nearest(0.2, 0.2, 0.01, 0.01, 5), std::nullopt);
+  EXPECT_EQ(model.nearest(kX, kY, {0.2, 0.2}, {0.01, 0.01}, 5), std::nullopt);
   EXPECT_EQ(model.best(), 1u);
   model.hide_warmup(false);
-  EXPECT_EQ(model.nearest(0.2, 0.2, 0.01, 0.01, 5), 0u);
+  EXPECT_EQ(model.nearest(kX, kY, {0.2, 0.2}, {0.01, 0.01}, 5), 0u);
   EXPECT_EQ(model.best(), 0u);
 }
 
 TEST(ExplorerModel, FirstOfCoincidingDrawsIsSelectedAndNanIsNever) {
   ExplorerModel model(small_table());
   model.append(std::vector{draw_at(kNan, 0.5, -1), draw_at(0.5, 0.5, -3), draw_at(0.5, 0.5, -3)});
-  EXPECT_EQ(model.nearest(0.5, 0.5, 0.01, 0.01, 0), 1u);
+  EXPECT_EQ(model.nearest(kX, kY, {0.5, 0.5}, {0.01, 0.01}, 0), 1u);
 }
 
 TEST(ExplorerModel, RangesFollowTheDrawsAfterWarmupOnceThereAreAny) {

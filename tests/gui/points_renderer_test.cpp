@@ -188,13 +188,41 @@ TEST_F(GlTest, DenserPlacesOfTheDensityMapAreLighter) {
   EXPECT_EQ(brightness(100), 0) << "between the piles";
 }
 
+TEST_F(GlTest, ADensityMapOfMeanColoursShowsThePointsOwnAndMixesThemByTheirNumbers) {
+  std::vector<PlotPoint> points(100, {-1, 0, kRed, false});
+  points.insert(points.end(), 100, {1, 0, kGreen, false});
+  points.insert(points.end(), 75, {0, 0, kRed, false});
+  points.insert(points.end(), 25, {0, 0, kGreen, false});
+  const Image image =
+      drawn_at_once(gl(), points, {.density_above = 1, .density_colours = DensityColours::mean});
+  const Rgb left = pixel(image, 60, 40), middle = pixel(image, 60, 80), right = pixel(image, 60, 120);
+  EXPECT_GT(left.red, 150);
+  EXPECT_EQ(left.green, 0);
+  EXPECT_GT(right.green, 150);
+  EXPECT_EQ(right.red, 0);
+  EXPECT_NEAR(middle.red / 3.0, middle.green, 2) << "three red points to a green one";
+}
+
+TEST_F(GlTest, DimmedPointsOfADensityMapAreGreyAndGiveWayToTheOthers) {
+  const std::vector<PlotPoint> dimmed(100, {0, 0, kRed, true});
+  auto both = dimmed;
+  both.insert(both.end(), 100, {0, 0, kGreen, false});
+  const PointStyle style{.density_above = 1, .density_colours = DensityColours::mean};
+  const Rgb grey = pixel(drawn_at_once(gl(), dimmed, style), 60, 80);
+  EXPECT_NEAR(grey.red, grey.blue, 10);
+  EXPECT_GT(grey.red, 20);
+  const Rgb green = pixel(drawn_at_once(gl(), both, style), 60, 80);
+  EXPECT_GT(green.green, 150);
+  EXPECT_LT(green.red, 20);
+}
+
 TEST(DensityGridTest, PointsOnTheLowEdgesCountAndOnTheHighEdgesDoNot) {
   DensityGrid grid({0, 1, 0, 1}, 7, 5);
   grid.add(0, 0);
   grid.add(std::nextafter(1.0, 0.0), std::nextafter(1.0, 0.0));
   EXPECT_EQ(grid.total(), 2u);
-  EXPECT_EQ(grid.counts().at(2, 0, 0), 1) << "bottom left";
-  EXPECT_EQ(grid.counts().at(0, 3, 0), 1) << "top right";
+  EXPECT_EQ(grid.cells().sums.at(2, 0, 3), 1) << "bottom left";
+  EXPECT_EQ(grid.cells().sums.at(0, 3, 3), 1) << "top right";
   for (const auto& [x, y] : {std::pair{1.0, 0.5}, {0.5, 1.0}, {std::nan(""), 0.5}, {0.5, INFINITY}})
     grid.add(x, y);
   EXPECT_EQ(grid.total(), 2u);
@@ -206,7 +234,10 @@ TEST(DensityGridTest, CellsHoldTheExpectedShareOfAUniformCloud) {
   std::uniform_real_distribution<double> uniform;
   for (int i = 0; i < 64000; ++i) grid.add(uniform(random), uniform(random));
   double chi_square = 0;
-  for (const float count : grid.counts().pixels) chi_square += (count - 1000) * (count - 1000) / 1000;
+  for (std::size_t i = 3; i < grid.cells().sums.pixels.size(); i += 4) {
+    const float count = grid.cells().sums.pixels[i];
+    chi_square += (count - 1000) * (count - 1000) / 1000;
+  }
   // 63 degrees of freedom: mean 63, standard deviation 11.2.
   EXPECT_NEAR(chi_square, 63, 4 * 11.2);
 }

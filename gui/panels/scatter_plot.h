@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "gui/credible_regions.h"
+#include "gui/draw_colours.h"
+#include "gui/gl/point_renderer.h"
+#include "gui/histogram.h"
+#include "gui/panels/marking_gesture.h"
+#include "gui/panels/panel.h"
+#include "gui/plot_view.h"
+#include "gui/thumbnails.h"
+
+namespace patina {
+
+/// What a plot shows, and what a drag in it draws.
+struct PlotSubject {
+  PlotAxis x, y;
+  MarkingTool tool = MarkingTool::box;
+};
+
+/// The cloud of draws over any two axes, as they arrive, with how they are spread along either. A click
+/// selects the nearest draw, a drag marks draws; the wheel zooms, the right button moves the view, a double
+/// click shows all draws again.
+class ScatterPlot {
+ public:
+  /// @param thumbnails  outlives the plot
+  ScatterPlot(const Gl& gl, Thumbnails& thumbnails);
+
+  /// @param rect     all of it, tick labels included
+  /// @param beneath  draws what lies between the ground and the points; may be empty
+  void draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject,
+            const std::function<void(const PlotView&)>& beneath = {});
+
+  /// Where the plot was in the last frame, and what it showed.
+  const PlotView& view() const { return view_; }
+  const DrawColours& colours() const { return contents_.colours; }
+  bool shows_density() const { return points_.shows_density(); }
+
+ private:
+  /// What the points and bars were made from; anything else there means to begin again.
+  struct Contents {
+    int run = -1;
+    PlotAxis x, y;
+    bool hides_warmup = false;
+    bool dims_warmup = false;  ///< not while there is nothing else to see
+    DrawSet marked;
+    DrawColours colours;
+    bool operator==(const Contents&) const = default;
+  };
+
+  void place_plot(const Rect& rect);
+  void follow_draws(const Session& session, const PlotSubject& subject);
+  void send_points(const ExplorerModel& model);
+  void count_bars(const ExplorerModel& model);
+  void draw_contours(const Session& session);
+  void draw_marks(const ExplorerModel& model) const;
+  void handle_mouse(Session& session, MarkingTool tool);
+  std::optional<std::size_t> hit(const ExplorerModel& model, float reach) const;
+  PlotPlace mouse_place() const;
+
+  Thumbnails& thumbnails_;
+  PointRenderer points_;
+  Contents contents_;
+  PlotView view_;
+  bool following_ = true;    ///< the view follows the draws until the user moves it
+  std::size_t sent_ = 0;     ///< draws given to the renderer
+  std::size_t counted_ = 0;  ///< draws in the bars
+  Histogram x_bars_, y_bars_;
+  CredibleRegions regions_;
+  MarkingGesture marking_;
+};
+
+}  // namespace patina

@@ -1,0 +1,58 @@
+#include "gui/thumbnails.h"
+
+#include <algorithm>
+
+#include "gui/shown_draw.h"
+
+namespace patina {
+
+Thumbnails::Thumbnails(const Gl& gl, std::function<void()> wake) : gl_(gl), wake_(std::move(wake)) {}
+
+const Texture* Thumbnails::find(const Session& session, std::size_t draw, int resolution, bool hurry) {
+  const Key key{session.run_version(), draw, resolution};
+  if (const auto entry = entries_.find(key); entry != entries_.end()) {
+    entry->second.used = frame_;
+    return entry->second.picture ? &*entry->second.picture : nullptr;
+  }
+  if (pending_ == key) return nullptr;
+  const DrawColumns& draws = session.model().draws();
+  const ShownDraw shown{ShownDraw::Kind::selected, draw, draws.lp(draw), draws.values(draw)};
+  const auto place = hurry ? wanted_.begin() : wanted_.end();
+  wanted_.insert(place, {key, preview_request(session, shown, resolution)});
+  return nullptr;
+}
+
+void Thumbnails::serve() {
+  ++frame_;
+  if (pending_) take_in();
+  if (!pending_ && !wanted_.empty()) {
+    if (!worker_) worker_ = std::make_unique<PreviewWorker>(wake_);
+    pending_ = wanted_.front().first;
+    worker_->request(std::move(wanted_.front().second));
+  }
+  wanted_.clear();
+}
+
+void Thumbnails::take_in() {
+  if (const auto preview = worker_->take()) {
+    if (!renderer_) renderer_.emplace(gl_);
+    renderer_->set_maps(preview->maps);
+    renderer_->render();
+    entries_[*pending_] = {Texture::picture(gl_, renderer_->read()), frame_};
+  } else if (!worker_->last_error().empty()) {
+    entries_[*pending_] = {std::nullopt, frame_};
+    worker_.reset();  // with its error, which the next request is not to be blamed for
+  } else {
+    return;
+  }
+  pending_.reset();
+  if (entries_.size() > kMost) forget_some();
+}
+
+void Thumbnails::forget_some() {
+  const auto oldest =
+      std::ranges::min_element(entries_, {}, [](const auto& entry) { return entry.second.used; });
+  entries_.erase(oldest);
+}
+
+}  // namespace patina
