@@ -38,7 +38,8 @@ App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
       previews_([&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
-      scatter_(window.gl()) {}
+      scatter_(window.gl()),
+      actions_(make_actions()) {}
 
 void App::attempt(const std::function<void()>& action) {
   try {
@@ -60,6 +61,7 @@ void App::load(const std::filesystem::path& path) {
 double App::patience() const {
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
+  if (preview_.animated()) return 0.5 * kFlickerSeconds;
   if (session_.is_live()) return 0.5;
   return 3600;
 }
@@ -77,7 +79,7 @@ void App::frame(double longest_wait) {
 void App::take_in_news() {
   attempt([this] { session_.poll(); });
   attempt([this] {
-    if (const auto preview = previews_.take()) preview_.show(preview->maps);
+    if (const auto preview = previews_.take()) preview_.show(*preview);
   });
   finish_export();
 }
@@ -107,18 +109,12 @@ void App::handle_escape() {
 
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto pressed = [](ImGuiKey key, bool repeat) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
-  };
-  if (pressed(ImGuiKey_Escape, false)) handle_escape();
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) handle_escape();
   if (io.WantTextInput || dialog_.visible()) return;
-  if (io.KeyCtrl && ImGui::IsKeyPressed('O', false)) ask_to_open();
-  if (io.KeyCtrl && ImGui::IsKeyPressed('E', false)) ask_to_export();
-  if (io.InputQueueCharacters.contains(static_cast<ImWchar>('?'))) help_open_ = !help_open_;
-  if (pressed(ImGuiKey_LeftArrow, true)) session_.model().select_better();
-  if (pressed(ImGuiKey_RightArrow, true)) session_.model().select_worse();
-  if (pressed(ImGuiKey_Space, false) && session_.is_live() && session_.run().can_control()) {
-    session_.status().phase == RunPhase::paused ? session_.resume() : session_.pause();
+  for (const Action& action : actions_) {
+    const bool pressed = std::ranges::any_of(
+        action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
+    if (pressed && action.enabled()) attempt(action.run);
   }
 }
 
@@ -142,7 +138,8 @@ void App::draw_panels() {
   draw_.draw(context, layout.draw, shown, note, [this] { ask_to_export(); });
   draw_dialogs(context);
   // After the panels, so that a click is answered in the frame that saw it.
-  previews_.want(session_, shown_draw(session_), preview_.resolution());
+  const PreviewView& view = preview_.view();
+  previews_.want(session_, shown_draw(session_), view.resolution, is_shape(view.subject));
 }
 
 void App::draw_dialogs(const PanelContext& context) {

@@ -4,7 +4,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "gui/action.h"
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
 #include "gui/layout.h"
@@ -37,15 +39,22 @@ class App {
 
   Session& session() { return session_; }
   const Session& session() const { return session_; }
+  const std::vector<Action>& actions() const { return actions_; }
   const ErrorBanner& banner() const { return banner_; }
   const ScatterPanel& scatter() const { return scatter_; }
+  PreviewPanel& preview() { return preview_; }
   const PreviewPanel& preview() const { return preview_; }
   const FileDialog& dialog() const { return dialog_; }
+  bool previews_waiting() const { return previews_.waiting(); }
   bool exporting() const { return exporter_.busy(); }
 
  private:
   double patience() const;  ///< seconds until something may change by itself
   void attempt(const std::function<void()>& action);
+  std::vector<Action> make_actions();
+  std::vector<Action> file_actions();
+  std::vector<Action> run_actions();
+  std::vector<Action> preview_actions();
   void take_in_news();
   void finish_export();
   void handle_keys();
@@ -73,6 +82,7 @@ class App {
   std::optional<ExportRequest> export_request_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
+  std::vector<Action> actions_;
 };
 
 }  // namespace patina

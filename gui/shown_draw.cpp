@@ -34,14 +34,14 @@ std::string shown_draw_title(const ShownDraw& shown) {
   return {};
 }
 
-PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution) {
+PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution, bool tile) {
   const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
-  return {settings.material, settings.z_seed, settings.capture, shown.values, resolution};
+  return {settings.material, settings.z_seed, settings.capture, shown.values, resolution, tile};
 }
 
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b) {
   const auto key = [](const PreviewRequest& r) {
-    return std::tie(r.material, r.z_seed, r.capture, r.values, r.resolution);
+    return std::tie(r.material, r.z_seed, r.capture, r.values, r.resolution, r.tile);
   };
   return key(a) == key(b);
 }

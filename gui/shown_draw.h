@@ -28,8 +28,9 @@ ShownDraw shown_draw(const Session& session);
 /// "Selected draw", "Best draw so far" ...
 std::string shown_draw_title(const ShownDraw& shown);
 
-/// What has to be rendered for it. @param resolution pixels a side
-PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution);
+/// What has to be rendered for it. @param resolution pixels a side @param tile see PreviewRequest
+PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution,
+                               bool tile = false);
 
 /// Whether two requests have the same picture.
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b);

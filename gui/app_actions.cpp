@@ -1,0 +1,99 @@
+#include "gui/app.h"
+#include "gui/panels/panel.h"
+
+namespace patina {
+
+std::vector<Action> App::make_actions() {
+  std::vector<Action> actions = file_actions();
+  for (auto more : {run_actions(), preview_actions()})
+    actions.insert(actions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return actions;
+}
+
+std::vector<Action> App::file_actions() {
+  return {
+      {"Files",
+       "Open a photo or a run",
+       {Shortcut::letter('O', ImGuiKeyModFlags_Ctrl)},
+       [this] { ask_to_open(); }},
+      {"Files",
+       "Export the draw that is shown",
+       {Shortcut::letter('E', ImGuiKeyModFlags_Ctrl)},
+       [this] { ask_to_export(); },
+       [this] { return !exporter_.busy(); }},
+      {"Files",
+       "Help: mouse, keys and words",
+       {Shortcut::character('?')},
+       [this] { help_open_ = !help_open_; }},
+  };
+}
+
+std::vector<Action> App::run_actions() {
+  const auto has_draws = [this] { return session_.model().draws().size() > 0; };
+  const auto can_pause = [this] { return session_.is_live() && session_.run().can_control(); };
+  const auto pause_or_resume = [this] {
+    session_.status().phase == RunPhase::paused ? session_.resume() : session_.pause();
+  };
+  return {
+      {"Run", "Start a run", {}, [this] { session_.start(); }, [this] { return session_.has_photo(); }},
+      {"Run",
+       "Pause or resume the run",
+       {Shortcut::named(ImGuiKey_Space, "Space")},
+       pause_or_resume,
+       can_pause},
+      {"Run", "Stop the run", {}, [this] { session_.stop(); }, can_pause},
+      {"Run", "Continue the run", {}, [this] { session_.go_on(); }, [this] { return session_.can_go_on(); }},
+      {"Draws",
+       "Next better draw",
+       {Shortcut::named(ImGuiKey_LeftArrow, "Left")},
+       [this] { session_.model().select_better(); },
+       has_draws,
+       true},
+      {"Draws",
+       "Next less likely draw",
+       {Shortcut::named(ImGuiKey_RightArrow, "Right")},
+       [this] { session_.model().select_worse(); },
+       has_draws,
+       true},
+      {"Draws",
+       "Best draw",
+       {Shortcut::named(ImGuiKey_Home, "Home")},
+       [this] { session_.model().select(session_.model().best()); },
+       has_draws},
+  };
+}
+
+std::vector<Action> App::preview_actions() {
+  std::vector<Action> actions;
+  PreviewView& view = preview_.view();
+  char digit = '1';
+  for (const Subject subject : kSubjects) {
+    actions.push_back({"Render",
+                       std::string("Show: ") + subject_text(subject),
+                       {Shortcut::character(digit++)},
+                       [&view, subject] { view.subject = subject; }});
+  }
+  const auto has_photo = [this] { return session_.has_photo(); };
+  const auto compare = [&](const char* name, char key, Comparison comparison) {
+    actions.push_back({"Render",
+                       name,
+                       {Shortcut::letter(key)},
+                       [&view, comparison] { view.compare(comparison); },
+                       has_photo});
+  };
+  compare("Render only", 'R', Comparison::off);
+  compare("Wipe between photo and render", 'W', Comparison::wipe);
+  compare("Photo and render side by side", 'S', Comparison::side_by_side);
+  compare("Difference of photo and render", 'D', Comparison::difference);
+  compare("Flicker between photo and render", 'F', Comparison::flicker);
+  const auto expose = [&](const char* name, char key, float change) {
+    actions.push_back({"Render", name, {Shortcut::character(key)}, [&view, change] { view.expose(change); }});
+  };
+  expose("Brighter by half a stop", '+', 0.5f);
+  expose("Darker by half a stop", '-', -0.5f);
+  actions.push_back(
+      {"Render", "Exposure as it was", {Shortcut::character('0')}, [&view] { view.stops = 0; }});
+  return actions;
+}
+
+}  // namespace patina
