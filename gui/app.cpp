@@ -59,6 +59,7 @@ void App::load(const std::filesystem::path& path) {
 }
 
 double App::patience() const {
+  if (material_.table().behind()) return 0;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
   if (preview_.animated()) return 0.5 * kFlickerSeconds;

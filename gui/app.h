@@ -44,6 +44,7 @@ class App {
   const ScatterPanel& scatter() const { return scatter_; }
   PreviewPanel& preview() { return preview_; }
   const PreviewPanel& preview() const { return preview_; }
+  const MaterialPanel& material() const { return material_; }
   const FileDialog& dialog() const { return dialog_; }
   bool previews_waiting() const { return previews_.waiting(); }
   bool exporting() const { return exporter_.busy(); }

@@ -35,6 +35,17 @@ std::vector<Action> App::run_actions() {
     session_.status().phase == RunPhase::paused ? session_.resume() : session_.pause();
   };
   return {
+      {"Run",
+       "Undo the last choice for the next run",
+       {Shortcut::letter('Z', ImGuiKeyModFlags_Ctrl)},
+       [this] { session_.choices().undo(); },
+       [this] { return session_.choices().can_undo(); }},
+      {"Run",
+       "Redo it",
+       {Shortcut::letter('Z', ImGuiKeyModFlags_Ctrl | ImGuiKeyModFlags_Shift),
+        Shortcut::letter('Y', ImGuiKeyModFlags_Ctrl)},
+       [this] { session_.choices().redo(); },
+       [this] { return session_.choices().can_redo(); }},
       {"Run", "Start a run", {}, [this] { session_.start(); }, [this] { return session_.has_photo(); }},
       {"Run",
        "Pause or resume the run",

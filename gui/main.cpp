@@ -20,7 +20,7 @@ namespace patina {
 namespace {
 
 void begin(App& app, const Arguments& arguments) {
-  if (!arguments.material.empty()) app.session().set_material(arguments.material);
+  if (!arguments.material.empty()) app.session().choices().set_material(arguments.material);
   const bool sample = arguments.input.empty();
   app.load(sample ? data_directory() / "photos" / "sample_bump.png" : arguments.input);
   if (!app.session().has_run()) app.session().start();

@@ -22,7 +22,7 @@ class Orbit {
   bool operator==(const Orbit&) const = default;
 
  private:
-  float yaw_ = 0, pitch_ = 0, distance_ = 5;
+  float yaw_ = 0, pitch_ = 0, distance_ = 4.7f;
 };
 
 /// Where a light stands that follows a pointer: over the point of a half ball seen from its front that lies

@@ -14,7 +14,7 @@ bool is_map(Subject subject) { return subject >= Subject::base_color; }
 const char* subject_text(Subject subject) {
   switch (subject) {
     case Subject::photographed:
-      return "As photographed";
+      return "As shot";
     case Subject::plane:
       return "On a plane";
     case Subject::sphere:
@@ -36,7 +36,7 @@ const char* subject_text(Subject subject) {
 const char* comparison_text(Comparison comparison) {
   switch (comparison) {
     case Comparison::off:
-      return "Render only";
+      return "Alone";
     case Comparison::wipe:
       return "Wipe";
     case Comparison::side_by_side:

@@ -22,7 +22,7 @@ inline constexpr std::array kComparisons{Comparison::off, Comparison::wipe, Comp
 bool is_shape(Subject subject);  ///< a lit one
 bool is_map(Subject subject);
 
-const char* subject_text(Subject subject);           ///< "As photographed"
+const char* subject_text(Subject subject);           ///< "As shot"
 const char* comparison_text(Comparison comparison);  ///< "Side by side"
 
 /// How the preview is looked at: all that its controls change. No ImGui, no GL.

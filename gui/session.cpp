@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/material/registry.h"
 #include "gui/words.h"
 
 namespace patina {
@@ -17,9 +16,7 @@ constexpr const char* kRunPhoto = "photo.png";  // a run directory's own copy
 }  // namespace
 
 Session::Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake)
-    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {
-  set_material(settings_.material);
-}
+    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {}
 
 Session::~Session() = default;
 
@@ -47,7 +44,7 @@ void Session::open_photo(const std::filesystem::path& file) {
 
 void Session::open_run_directory(const std::filesystem::path& directory) {
   std::unique_ptr<DrawSource> source = factory_.open(directory);
-  ParameterTable next_table = material_table(source->settings().material);
+  RunChoices choices(source->settings());
   Photo photo;
   photo.image = source->photo();
   photo.original_width = photo.image.width;
@@ -57,28 +54,14 @@ void Session::open_run_directory(const std::filesystem::path& directory) {
   photo_ = std::move(photo);
   photo_file_ = std::filesystem::absolute(directory / kRunPhoto).lexically_normal();
   ++photo_version_;
-  settings_ = source_->settings();
-  next_table_ = std::move(next_table);
-}
-
-void Session::set_material(const std::string& name) {
-  next_table_ = material_table(name);
-  settings_.material = name;
-  settings_.fixed.clear();
-  settings_.priors.clear();
-}
-
-void Session::set_size_cm(double size_cm) {
-  assert(size_cm > 0);
-  settings_.capture.camera_cm *= size_cm / settings_.capture.size_cm;
-  settings_.capture.size_cm = size_cm;
+  choices_ = std::move(choices);
 }
 
 void Session::start() {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
-  adopt(factory_.start(settings_, *photo_, fresh_run_directory(runs_, photo_name(), settings_.material),
+  adopt(factory_.start(settings(), *photo_, fresh_run_directory(runs_, photo_name(), settings().material),
                        wake_));
 }
 

@@ -10,6 +10,7 @@
 #include "engine/io/photo.h"
 #include "engine/run/draw_source.h"
 #include "gui/explorer_model.h"
+#include "gui/run_choices.h"
 #include "gui/run_factory.h"
 #include "gui/summary_worker.h"
 
@@ -33,11 +34,15 @@ class Session {
   std::string photo_name() const;  ///< the file's name without extension; of a run its directory's
   int photo_version() const { return photo_version_; }  ///< grows with every photo
 
-  /// Settings of the next run.
-  const RunSettings& settings() const { return settings_; }
-  const ParameterTable& next_table() const { return next_table_; }  ///< of settings().material
-  void set_material(const std::string& name);  ///< @throws UserError; fixed values and priors go
-  void set_size_cm(double size_cm);            ///< keeps the field of view
+  /// What the user has chosen for the next run.
+  RunChoices& choices() { return choices_; }
+  const RunChoices& choices() const { return choices_; }
+  const RunSettings& settings() const { return choices_.settings(); }
+
+  /// Whether the run that is open does not infer what is chosen now: the choices wait for the next one.
+  bool choices_wait() const { return source_ && choices_.differ_from(source_->settings()); }
+  /// Whether the run that is open is of the material that is chosen.
+  bool run_is_of_choice() const { return source_ && source_->settings().material == settings().material; }
 
   /// Starts a run on the photo in a fresh directory; the run that was open is let go.
   /// @throws UserError if there is no photo or the run cannot start
@@ -78,8 +83,7 @@ class Session {
   std::function<void()> wake_;
   std::optional<Photo> photo_;
   std::filesystem::path photo_file_;
-  RunSettings settings_;
-  ParameterTable next_table_;
+  RunChoices choices_;
   ExplorerModel model_;
   RunStatus status_;
   std::optional<RunSummary> summary_;

@@ -50,10 +50,11 @@ ShapeVertex vertex(const Patch& patch, double u, double v) {
 }
 
 ShapeMesh mesh(const Patch& patch) {
+  constexpr double kStep = 1.0 / kCells;
   ShapeMesh mesh;
   for (int row = 0; row <= kCells; ++row)
     for (int column = 0; column <= kCells; ++column)
-      mesh.vertices.push_back(vertex(patch, double{column} / kCells, double{row} / kCells));
+      mesh.vertices.push_back(vertex(patch, column * kStep, row * kStep));
   constexpr std::uint32_t kStride = kCells + 1;
   for (std::uint32_t row = 0; row < kCells; ++row)
     for (std::uint32_t column = 0; column < kCells; ++column) {

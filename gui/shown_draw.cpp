@@ -16,8 +16,8 @@ ShownDraw shown_draw(const Session& session) {
     return {ShownDraw::Kind::best, best, model.draws().lp(*best), model.draws().values(*best)};
   }
   if (status.best) return {ShownDraw::Kind::search, std::nullopt, status.best_lp, *status.best};
-  const ParameterTable& table = session.has_run() ? session.model().table() : session.next_table();
-  return {ShownDraw::Kind::typical, std::nullopt, 0, prior_location(table)};
+  return {ShownDraw::Kind::typical, std::nullopt, 0,
+          session.has_run() ? prior_location(model.table()) : session.choices().typical()};
 }
 
 std::string shown_draw_title(const ShownDraw& shown) {

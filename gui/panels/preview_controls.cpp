@@ -28,12 +28,12 @@ void draw_comparison(PreviewView& view) {
 }
 
 void draw_exposure(PreviewView& view) {
-  ImGui::SliderFloat("##exposure", &view.stops, -PreviewView::kMostStops, PreviewView::kMostStops,
-                     view.stops == 0 ? "Exposure" : "%+.1f stops", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::DragFloat("##exposure", &view.stops, 0.02f, -PreviewView::kMostStops, PreviewView::kMostStops,
+                   view.stops == 0 ? "Exposure" : "%+.1f stops", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) view.stops = 0;
   tooltip(
-      "Brightness of photo and render alike, in stops: +1 doubles the light (keys - and +, 0 resets). Right "
-      "click: as it was");
+      "Drag: brightness of photo and render alike, in stops; +1 doubles the light (keys - and +, 0 resets). "
+      "Right click: as it was");
 }
 
 }  // namespace
@@ -41,10 +41,10 @@ void draw_exposure(PreviewView& view) {
 void draw_preview_controls(PreviewView& view, bool has_photo) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x - 2 * gap;
-  ImGui::SetNextItemWidth(0.4f * room);
+  ImGui::SetNextItemWidth(0.36f * room);
   draw_subject(view);
   ImGui::SameLine(0, gap);
-  ImGui::SetNextItemWidth(0.33f * room);
+  ImGui::SetNextItemWidth(0.36f * room);
   ImGui::BeginDisabled(!has_photo);
   draw_comparison(view);
   ImGui::EndDisabled();
