@@ -36,6 +36,7 @@ App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
       fonts_(dressed(window)),
       session_(std::move(factory), runs, limited_wake([&window] { window.wake(); }, kDrawInterval)),
       previews_([&window] { window.wake(); }),
+      loader_([&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
       scatter_(window.gl()),
@@ -51,6 +52,50 @@ void App::attempt(const std::function<void()>& action) {
 
 void App::load(const std::filesystem::path& path) {
   session_.open(path);
+  announce_opened();
+}
+
+void App::open(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    load(path);
+  } else {
+    loader_.start({path, std::nullopt});
+  }
+}
+
+void App::finish_loading() {
+  auto outcome = loader_.take();
+  if (!outcome) return;
+  const PhotoLoader::Request& request = outcome->request;
+  if (!outcome->photo) {
+    banner_.show(ErrorBanner::Kind::error, outcome->error);
+    // Asked for once more, it would fail again.
+    if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
+  } else if (!request.crop) {
+    session_.open_photo(std::move(*outcome->photo), request.file);
+    announce_opened();
+  } else if (request.file == session_.photo_file()) {
+    session_.recrop(std::move(*outcome->photo));
+  }
+}
+
+void App::follow_crop() {
+  if (!session_.photo_is_current()) loader_.start({session_.photo_file(), session_.chosen_crop()});
+}
+
+void App::take_dropped_files() {
+  auto files = window_.take_dropped_files();
+  if (files.size() == 1) commands_.push_back([this, file = files.front()] { open(file); });
+  if (files.size() > 1) file_choice_.ask(std::move(files));
+}
+
+void App::paste_path() {
+  const char* text = ImGui::GetClipboardText();
+  if (text != nullptr && *text != 0) open(typed_path(text, std::filesystem::current_path()));
+}
+
+void App::announce_opened() {
   banner_.dismiss();
   export_note_.clear();
   window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
@@ -69,7 +114,7 @@ double App::patience() const {
 
 void App::frame(double longest_wait) {
   window_.begin_frame(std::min(patience(), longest_wait));
-  for (const auto& file : window_.take_dropped_files()) commands_.push_back([this, file] { load(file); });
+  take_dropped_files();
   take_in_news();
   handle_keys();
   draw_panels();
@@ -82,6 +127,8 @@ void App::take_in_news() {
   attempt([this] {
     if (const auto preview = previews_.take()) preview_.show(*preview);
   });
+  finish_loading();
+  follow_crop();
   finish_export();
 }
 
@@ -99,6 +146,8 @@ void App::finish_export() {
 void App::handle_escape() {
   if (dialog_.visible()) {
     dialog_.close();
+  } else if (file_choice_.visible()) {
+    file_choice_.close();
   } else if (help_open_) {
     help_open_ = false;
   } else if (banner_.visible()) {
@@ -111,7 +160,7 @@ void App::handle_escape() {
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) handle_escape();
-  if (io.WantTextInput || dialog_.visible()) return;
+  if (io.WantTextInput || dialog_.visible() || file_choice_.visible()) return;
   for (const Action& action : actions_) {
     const bool pressed = std::ranges::any_of(
         action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
@@ -131,8 +180,9 @@ void App::draw_panels() {
 
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, theme::kWindow);
   draw_top_bar(context, layout.top_bar, open_dialog, [this] { help_open_ = true; });
-  photo_.draw(context, layout.photo, open_dialog);
-  preview_.draw(context, layout.preview, shown, photo_.picture(), previews_.problem(), previews_.waiting());
+  photo_.draw(context, layout.photo, loader_.busy(), open_dialog);
+  preview_.draw(context, layout.preview, shown, photo_.compared(session_), previews_.problem(),
+                previews_.waiting());
   scatter_.draw(context, layout.scatter);
   material_.draw(context, layout.material, shown);
   draw_chains_panel(context, layout.chains);
@@ -146,10 +196,11 @@ void App::draw_panels() {
 void App::draw_dialogs(const PanelContext& context) {
   banner_.draw(context, ImGui::GetIO().DisplaySize);
   draw_help_sheet(context, help_open_);
+  if (const auto file = file_choice_.draw(context)) commands_.push_back([this, file = *file] { open(file); });
   const auto chosen = dialog_.draw(context);
   if (!chosen) return;
   if (dialog_.purpose() == FileDialog::Purpose::open) {
-    commands_.push_back([this, path = *chosen] { load(path); });
+    commands_.push_back([this, path = *chosen] { open(path); });
   } else {
     commands_.push_back([this, path = *chosen] { start_export(path); });
   }

@@ -12,11 +12,13 @@
 #include "gui/layout.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/error_banner.h"
+#include "gui/panels/file_choice.h"
 #include "gui/panels/file_dialog.h"
 #include "gui/panels/material_panel.h"
 #include "gui/panels/photo_panel.h"
 #include "gui/panels/preview_panel.h"
 #include "gui/panels/scatter_panel.h"
+#include "gui/photo_loader.h"
 #include "gui/preview_feed.h"
 #include "gui/session.h"
 #include "gui/window.h"
@@ -33,6 +35,8 @@ class App {
 
   /// Opens a photo or a run. @throws UserError; everything is as it was before then
   void load(const std::filesystem::path& path);
+  /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
+  void open(const std::filesystem::path& path);
 
   /// Waits until something happens, at most so many seconds, then draws one frame.
   void frame(double longest_wait = 3600);
@@ -47,6 +51,9 @@ class App {
   const MaterialPanel& material() const { return material_; }
   const FileDialog& dialog() const { return dialog_; }
   bool previews_waiting() const { return previews_.waiting(); }
+  PhotoPanel& photo_panel() { return photo_; }
+  const FileChoice& file_choice() const { return file_choice_; }
+  bool loading() const { return loader_.busy(); }
   bool exporting() const { return exporter_.busy(); }
 
  private:
@@ -57,6 +64,11 @@ class App {
   std::vector<Action> run_actions();
   std::vector<Action> preview_actions();
   void take_in_news();
+  void finish_loading();
+  void follow_crop();
+  void announce_opened();
+  void take_dropped_files();
+  void paste_path();
   void finish_export();
   void handle_keys();
   void handle_escape();
@@ -71,9 +83,11 @@ class App {
   Session session_;
   PreviewFeed previews_;
   ExportWorker exporter_;
+  PhotoLoader loader_;
   ColumnShares shares_;
   ErrorBanner banner_;
   FileDialog dialog_;
+  FileChoice file_choice_;
   PhotoPanel photo_;
   PreviewPanel preview_;
   ScatterPanel scatter_;

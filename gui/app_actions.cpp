@@ -17,6 +17,10 @@ std::vector<Action> App::file_actions() {
        {Shortcut::letter('O', ImGuiKeyModFlags_Ctrl)},
        [this] { ask_to_open(); }},
       {"Files",
+       "Open the photo or run whose path was copied",
+       {Shortcut::letter('V', ImGuiKeyModFlags_Ctrl)},
+       [this] { paste_path(); }},
+      {"Files",
        "Export the draw that is shown",
        {Shortcut::letter('E', ImGuiKeyModFlags_Ctrl)},
        [this] { ask_to_export(); },
@@ -85,6 +89,19 @@ std::vector<Action> App::preview_actions() {
                        [&view, subject] { view.subject = subject; }});
   }
   const auto has_photo = [this] { return session_.has_photo(); };
+  actions.push_back({"Photo",
+                     "Mark what is too bright",
+                     {Shortcut::letter('C')},
+                     [this] { photo_.show_clipped(!photo_.shows_clipped()); },
+                     has_photo});
+  actions.push_back({"Photo",
+                     "Use the middle of the photo",
+                     {},
+                     [this] {
+                       session_.crop_to(
+                           central_crop(session_.photo().original_width, session_.photo().original_height));
+                     },
+                     has_photo});
   const auto compare = [&](const char* name, char key, Comparison comparison) {
     actions.push_back({"Render",
                        name,

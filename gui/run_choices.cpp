@@ -26,7 +26,7 @@ void check_prior(const std::string& name, const TruncatedNormal& prior) {
 
 }  // namespace
 
-RunChoices::RunChoices(RunSettings settings) : history_(std::move(settings)) { refresh(); }
+RunChoices::RunChoices(RunSettings settings) : history_({std::move(settings), std::nullopt}) { refresh(); }
 
 void RunChoices::refresh() {
   if (material_.material != settings().material) material_ = material_table(settings().material);
@@ -36,7 +36,7 @@ void RunChoices::refresh() {
 }
 
 void RunChoices::change(RunSettings settings, bool new_gesture) {
-  history_.change(std::move(settings), new_gesture);
+  history_.change({std::move(settings), crop()}, new_gesture);
   refresh();
 }
 
@@ -65,6 +65,18 @@ void RunChoices::set_capture(const Capture& capture, bool new_gesture) {
   RunSettings changed = settings();
   changed.capture = capture;
   change(std::move(changed), new_gesture);
+}
+
+void RunChoices::set_crop(const PhotoCrop& crop, const Capture& capture) {
+  RunSettings changed = settings();
+  changed.capture = capture;
+  history_.change({std::move(changed), crop}, true);
+}
+
+void RunChoices::begin_photo(const Capture& capture) {
+  RunSettings changed = settings();
+  changed.capture = capture;
+  history_ = History<State>({std::move(changed), std::nullopt});
 }
 
 void RunChoices::lock(const std::string& name, double value) {

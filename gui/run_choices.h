@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/io/photo.h"
 #include "engine/run/run_settings.h"
 #include "gui/history.h"
 
@@ -14,7 +15,9 @@ class RunChoices {
  public:
   explicit RunChoices(RunSettings settings = {});
 
-  const RunSettings& settings() const { return history_.now(); }
+  const RunSettings& settings() const { return history_.now().settings; }
+  /// The part of the photo; none: the central square.
+  const std::optional<PhotoCrop>& crop() const { return history_.now().crop; }
   /// The chosen material's parameters, as the material has them and with the chosen priors.
   const ParameterTable& material() const { return material_; }
   const ParameterTable& table() const { return table_; }
@@ -25,6 +28,10 @@ class RunChoices {
   void set_material(const std::string& name);  ///< @throws UserError; locks and priors go
   void set_size_cm(double size_cm);            ///< keeps the field of view
   void set_capture(const Capture& capture, bool new_gesture = true);
+  /// Another part of the photo, and the geometry that goes with it.
+  void set_crop(const PhotoCrop& crop, const Capture& capture);
+  /// Another photo: its geometry; the crop of the one before goes, and with it all steps back.
+  void begin_photo(const Capture& capture);
 
   /// Holds a parameter at a value, clamped to its prior's range (of a discrete one: a level's index), or lets
   /// it go. Unknown names are passed over.
@@ -47,10 +54,16 @@ class RunChoices {
   bool differ_from(const RunSettings& run) const;
 
  private:
+  struct State {
+    RunSettings settings;
+    std::optional<PhotoCrop> crop;
+    bool operator==(const State&) const = default;
+  };
+
   void change(RunSettings settings, bool new_gesture);
   void refresh();
 
-  History<RunSettings> history_;
+  History<State> history_;
   ParameterTable material_, table_;
 };
 

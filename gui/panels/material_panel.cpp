@@ -43,7 +43,7 @@ void MaterialPanel::draw_choices(const PanelContext& context) {
 
 void MaterialPanel::draw_start(const PanelContext& context) {
   Session& session = context.session;
-  ImGui::BeginDisabled(!session.has_photo());
+  ImGui::BeginDisabled(!session.has_photo() || !session.photo_is_current());
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 0};
   bool pressed = false;
   if (session.choices_wait()) {

@@ -29,7 +29,9 @@ class AppPanels : public AppTest {
   }
   void drop(const std::filesystem::path& file) {
     window_->drop_files({file});
-    frames(3);
+    answer_input();
+    ASSERT_TRUE(frames_until([&] { return !app_.loading(); }));
+    frames(2);
   }
 };
 
@@ -105,7 +107,7 @@ TEST_F(AppPanels, APathTypedIntoTheFileDialogIsOpened) {
   EXPECT_EQ(app_.dialog().folder(), folder_.path()) << "a folder is entered";
   type("oak.png");
   EXPECT_FALSE(app_.dialog().visible());
-  EXPECT_TRUE(app_.session().has_photo());
+  EXPECT_TRUE(frames_until([&] { return app_.session().has_photo(); }));
 }
 
 TEST_F(AppPanels, ExportWritesTheSelectedDrawsFiles) {
