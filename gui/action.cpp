@@ -44,6 +44,8 @@ std::string Shortcut::text() const {
   if ((modifiers & ImGuiKeyModFlags_Shift) != 0) text += "Shift+";
   if ((modifiers & ImGuiKeyModFlags_Alt) != 0) text += "Alt+";
   if (typed != 0) return text + typed;
+  if (key == '=') return text + "Plus";  // where most keyboards have it
+  if (key == '-') return text + "Minus";
   return key != 0 ? text + static_cast<char>(key) : text + name;
 }
 

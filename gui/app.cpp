@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "gui/panels/chains_panel.h"
+#include "gui/panels/draw_panel.h"
 #include "gui/panels/help_sheet.h"
 #include "gui/panels/top_bar.h"
 #include "gui/theme.h"
@@ -18,11 +20,7 @@ namespace {
 constexpr float kFontSize = 15;                                 // at 96 dots per inch
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);  // between frames for new draws alone
 
-Fonts dressed(const Window& window) {
-  const float size = std::round(kFontSize * window.content_scale());
-  theme::apply(size);
-  return load_fonts(size, window.pixel_density());
-}
+constexpr auto kBetweenSaves = std::chrono::seconds(2);  // flushing to disk takes a while
 
 std::filesystem::path home() {
   const char* home = std::getenv("HOME");
@@ -31,16 +29,71 @@ std::filesystem::path home() {
 
 }  // namespace
 
-App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
+App::App(Window& window, RunFactory factory, const std::filesystem::path& runs,
+         const std::filesystem::path& preferences)
     : window_(window),
-      fonts_(dressed(window)),
+      preferences_file_(preferences),
       session_(std::move(factory), runs, limited_wake([&window] { window.wake(); }, kDrawInterval)),
       previews_([&window] { window.wake(); }),
       loader_([&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
       scatter_(window.gl()),
-      actions_(make_actions()) {}
+      actions_(make_actions()) {
+  if (!preferences_file_.empty()) attempt([this] { preferences_ = read_preferences(preferences_file_); });
+  saved_preferences_ = preferences_;
+  dialog_.start_in(preferences_.last_folder);
+}
+
+App::~App() {
+  if (preferences_ != saved_preferences_) save_preferences();
+}
+
+void App::dress() {
+  const float size = std::round(kFontSize * window_.content_scale() * preferences_.scale);
+  theme::apply(size, preferences_.light_theme ? theme::Theme::light : theme::Theme::dark);
+  fonts_ = load_fonts(size, window_.pixel_density());
+  dressed_ = true;
+}
+
+void App::save_preferences() {
+  saved_preferences_ = preferences_;
+  saved_at_ = std::chrono::steady_clock::now();
+  if (!preferences_file_.empty()) attempt([this] { write_preferences(preferences_file_, preferences_); });
+}
+
+void App::remember() {
+  const ImGuiIO& io = ImGui::GetIO();
+  preferences_.width = static_cast<int>(io.DisplaySize.x);
+  preferences_.height = static_cast<int>(io.DisplaySize.y);
+  preferences_.last_folder = dialog_.folder();
+  preferences_.last_run = session_.has_run() ? session_.run().directory() : std::filesystem::path();
+  if (!awaited_draw_) {
+    const DrawColumns& draws = session_.model().draws();
+    const auto selected = session_.model().selected();
+    preferences_.draw.reset();
+    if (selected) preferences_.draw = {draws.chain(*selected), draws.iteration(*selected)};
+  }
+  const bool idle = !ImGui::IsAnyMouseDown() && std::chrono::steady_clock::now() - saved_at_ > kBetweenSaves;
+  if (idle && preferences_ != saved_preferences_) save_preferences();
+}
+
+bool App::reopen() {
+  if (preferences_.last_run.empty() || !looks_like_run(preferences_.last_run)) return false;
+  const auto draw = preferences_.draw;
+  attempt([this] { load(std::filesystem::path(preferences_.last_run)); });
+  if (!session_.has_run()) return false;
+  awaited_draw_ = draw;
+  return true;
+}
+
+void App::restore_draw() {
+  if (!awaited_draw_) return;
+  ExplorerModel& model = session_.model();
+  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration);
+  if (found) model.select(found);
+  if (found || model.selected() || !session_.has_run()) awaited_draw_.reset();
+}
 
 void App::attempt(const std::function<void()>& action) {
   try {
@@ -96,6 +149,9 @@ void App::paste_path() {
 }
 
 void App::announce_opened() {
+  awaited_draw_.reset();
+  preferences_.opened(session_.has_run() ? session_.run().directory()
+                                         : std::filesystem::absolute(session_.photo_file()));
   banner_.dismiss();
   export_note_.clear();
   window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
@@ -107,23 +163,27 @@ double App::patience() const {
   if (material_.table().behind()) return 0;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
+  if (preferences_ != saved_preferences_ && !preferences_file_.empty()) return 1;
   if (preview_.animated()) return 0.5 * kFlickerSeconds;
   if (session_.is_live()) return 0.5;
   return 3600;
 }
 
 void App::frame(double longest_wait) {
+  if (!dressed_) dress();
   window_.begin_frame(std::min(patience(), longest_wait));
   take_dropped_files();
   take_in_news();
   handle_keys();
   draw_panels();
   for (const auto& command : std::exchange(commands_, {})) attempt(command);
+  remember();
   window_.end_frame();
 }
 
 void App::take_in_news() {
   attempt([this] { session_.poll(); });
+  restore_draw();
   attempt([this] {
     if (const auto preview = previews_.take()) preview_.show(*preview);
   });
@@ -144,7 +204,9 @@ void App::finish_export() {
 }
 
 void App::handle_escape() {
-  if (dialog_.visible()) {
+  if (palette_.visible()) {
+    palette_.close();
+  } else if (dialog_.visible()) {
     dialog_.close();
   } else if (file_choice_.visible()) {
     file_choice_.close();
@@ -160,7 +222,7 @@ void App::handle_escape() {
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) handle_escape();
-  if (io.WantTextInput || dialog_.visible() || file_choice_.visible()) return;
+  if (io.WantTextInput || dialog_.visible() || file_choice_.visible() || palette_.visible()) return;
   for (const Action& action : actions_) {
     const bool pressed = std::ranges::any_of(
         action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
@@ -175,18 +237,20 @@ void App::draw_panels() {
   const ShownDraw shown = shown_draw(session_);
   const std::string note = exporter_.busy() ? "Exporting..." : export_note_;
   const auto open_dialog = [this] { ask_to_open(); };
-  drag_columns(io.DisplaySize, em, shares_);
-  const Layout layout = lay_out(io.DisplaySize, shares_, em);
+  drag_columns(io.DisplaySize, em, preferences_.shares);
+  const Layout layout = lay_out(io.DisplaySize, preferences_.shares, em);
 
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, theme::kWindow);
-  draw_top_bar(context, layout.top_bar, open_dialog, [this] { help_open_ = true; });
+  draw_top_bar(context, layout.top_bar, preferences_.recent,
+               {open_dialog, [this](const auto& file) { open(file); }, [this] { help_open_ = true; },
+                [this] { palette_.open(); }});
   photo_.draw(context, layout.photo, loader_.busy(), open_dialog);
   preview_.draw(context, layout.preview, shown, photo_.compared(session_), previews_.problem(),
                 previews_.waiting());
   scatter_.draw(context, layout.scatter);
   material_.draw(context, layout.material, shown);
   draw_chains_panel(context, layout.chains);
-  draw_.draw(context, layout.draw, shown, note, [this] { ask_to_export(); });
+  draw_draw_panel(context, layout.draw, shown, note, [this] { ask_to_export(); });
   draw_dialogs(context);
   // After the panels, so that a click is answered in the frame that saw it.
   const PreviewView& view = preview_.view();
@@ -195,9 +259,14 @@ void App::draw_panels() {
 
 void App::draw_dialogs(const PanelContext& context) {
   banner_.draw(context, ImGui::GetIO().DisplaySize);
-  draw_help_sheet(context, help_open_);
+  draw_help_sheet(context, actions_, help_open_);
+  if (palette_.visible()) {
+    std::vector<Action> actions = actions_;
+    std::ranges::move(recent_actions(), std::back_inserter(actions));
+    palette_.draw(context, actions);
+  }
   if (const auto file = file_choice_.draw(context)) commands_.push_back([this, file = *file] { open(file); });
-  const auto chosen = dialog_.draw(context);
+  const auto chosen = dialog_.draw(context, export_form_);
   if (!chosen) return;
   if (dialog_.purpose() == FileDialog::Purpose::open) {
     commands_.push_back([this, path = *chosen] { open(path); });
@@ -214,22 +283,16 @@ void App::ask_to_open() {
 void App::ask_to_export() {
   if (exporter_.busy()) return;
   const ShownDraw shown = shown_draw(session_);
-  const PreviewRequest picture = preview_request(session_, shown, draw_.export_resolution());
-  export_request_ =
-      ExportRequest{picture.material, picture.z_seed, picture.capture, picture.values, picture.resolution};
-  std::string name = picture.material;
-  if (session_.has_photo()) name = session_.photo_name() + "-" + name;
-  if (shown.draw) {
-    const DrawColumns& draws = session_.model().draws();
-    name += "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
-            std::to_string(draws.iteration(*shown.draw) + 1);
-  }
+  export_request_ = export_request(session_, shown);
+  const std::string name = export_name(session_, shown);
   const auto last = dialog_.folder();
   dialog_.show(FileDialog::Purpose::export_folder, last.empty() ? home() : last, name);
 }
 
 void App::start_export(const std::filesystem::path& folder) {
-  if (export_request_ && !exporter_.busy()) exporter_.start(*export_request_, folder);
+  if (!export_request_ || exporter_.busy()) return;
+  export_form_.complete(*export_request_);
+  exporter_.start(*export_request_, folder);
 }
 
 }  // namespace patina

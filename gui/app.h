@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,8 +11,9 @@
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
 #include "gui/layout.h"
-#include "gui/panels/draw_panel.h"
+#include "gui/panels/command_palette.h"
 #include "gui/panels/error_banner.h"
+#include "gui/panels/export_form.h"
 #include "gui/panels/file_choice.h"
 #include "gui/panels/file_dialog.h"
 #include "gui/panels/material_panel.h"
@@ -19,6 +21,7 @@
 #include "gui/panels/preview_panel.h"
 #include "gui/panels/scatter_panel.h"
 #include "gui/photo_loader.h"
+#include "gui/preferences.h"
 #include "gui/preview_feed.h"
 #include "gui/session.h"
 #include "gui/window.h"
@@ -29,14 +32,19 @@ namespace patina {
 /// sentence in the window, and the program goes on.
 class App {
  public:
-  /// @param window  outlives the app
-  /// @param runs    folder for the directories of runs started here
-  App(Window& window, RunFactory factory, const std::filesystem::path& runs);
+  /// @param window       outlives the app
+  /// @param runs         folder for the directories of runs started here
+  /// @param preferences  file that remembers how the program was left; empty: nothing is remembered
+  App(Window& window, RunFactory factory, const std::filesystem::path& runs,
+      const std::filesystem::path& preferences = {});
+  ~App();
 
   /// Opens a photo or a run. @throws UserError; everything is as it was before then
   void load(const std::filesystem::path& path);
   /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
   void open(const std::filesystem::path& path);
+  /// Opens the run that was open when the program was left, at the same draw. @return whether there is one
+  bool reopen();
 
   /// Waits until something happens, at most so many seconds, then draws one frame.
   void frame(double longest_wait = 3600);
@@ -53,6 +61,8 @@ class App {
   bool previews_waiting() const { return previews_.waiting(); }
   PhotoPanel& photo_panel() { return photo_; }
   const FileChoice& file_choice() const { return file_choice_; }
+  const CommandPalette& palette() const { return palette_; }
+  const Preferences& preferences() const { return preferences_; }
   bool loading() const { return loader_.busy(); }
   bool exporting() const { return exporter_.busy(); }
 
@@ -61,8 +71,14 @@ class App {
   void attempt(const std::function<void()>& action);
   std::vector<Action> make_actions();
   std::vector<Action> file_actions();
+  std::vector<Action> view_actions();
+  std::vector<Action> recent_actions();
   std::vector<Action> run_actions();
   std::vector<Action> preview_actions();
+  void dress();
+  void remember();
+  void save_preferences();
+  void restore_draw();
   void take_in_news();
   void finish_loading();
   void follow_crop();
@@ -79,20 +95,25 @@ class App {
   void start_export(const std::filesystem::path& folder);
 
   Window& window_;
-  Fonts fonts_;
+  std::filesystem::path preferences_file_;
+  ErrorBanner banner_;
+  Preferences preferences_, saved_preferences_;
+  std::chrono::steady_clock::time_point saved_at_;
+  std::optional<Preferences::DrawPlace> awaited_draw_;  ///< to be selected when it has been read
+  Fonts fonts_{};
+  bool dressed_ = false;  ///< fonts and colours are as the preferences want them
   Session session_;
   PreviewFeed previews_;
   ExportWorker exporter_;
   PhotoLoader loader_;
-  ColumnShares shares_;
-  ErrorBanner banner_;
   FileDialog dialog_;
   FileChoice file_choice_;
+  CommandPalette palette_;
   PhotoPanel photo_;
   PreviewPanel preview_;
   ScatterPanel scatter_;
   MaterialPanel material_;
-  DrawPanel draw_;
+  ExportForm export_form_;
   Commands commands_;
   std::optional<ExportRequest> export_request_;  ///< what the export dialog is open for
   std::string export_note_;

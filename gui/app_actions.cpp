@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "gui/app.h"
 #include "gui/panels/panel.h"
 
@@ -5,7 +8,7 @@ namespace patina {
 
 std::vector<Action> App::make_actions() {
   std::vector<Action> actions = file_actions();
-  for (auto more : {run_actions(), preview_actions()})
+  for (auto more : {run_actions(), preview_actions(), view_actions()})
     actions.insert(actions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return actions;
 }
@@ -26,6 +29,11 @@ std::vector<Action> App::file_actions() {
        [this] { ask_to_export(); },
        [this] { return !exporter_.busy(); }},
       {"Files",
+       "All commands by name",
+       {Shortcut::letter('K', ImGuiKeyModFlags_Ctrl),
+        Shortcut::letter('P', ImGuiKeyModFlags_Ctrl | ImGuiKeyModFlags_Shift)},
+       [this] { palette_.open(); }},
+      {"Files",
        "Help: mouse, keys and words",
        {Shortcut::character('?')},
        [this] { help_open_ = !help_open_; }},
@@ -40,12 +48,12 @@ std::vector<Action> App::run_actions() {
   };
   return {
       {"Run",
-       "Undo the last choice for the next run",
+       "Take back the last choice for the next run (undo)",
        {Shortcut::letter('Z', ImGuiKeyModFlags_Ctrl)},
        [this] { session_.choices().undo(); },
        [this] { return session_.choices().can_undo(); }},
       {"Run",
-       "Redo it",
+       "Redo the choice that was taken back",
        {Shortcut::letter('Z', ImGuiKeyModFlags_Ctrl | ImGuiKeyModFlags_Shift),
         Shortcut::letter('Y', ImGuiKeyModFlags_Ctrl)},
        [this] { session_.choices().redo(); },
@@ -78,16 +86,39 @@ std::vector<Action> App::run_actions() {
   };
 }
 
+std::vector<Action> App::view_actions() {
+  const auto scale = [this](float factor) {
+    return [this, factor] {
+      const float scaled = factor > 0 ? factor * preferences_.scale : 1;
+      preferences_.scale = std::clamp(scaled, Preferences::kLeastScale, Preferences::kMostScale);
+      dressed_ = false;
+    };
+  };
+  const auto key = [](char letter) { return Shortcut::letter(letter, ImGuiKeyModFlags_Ctrl); };
+  return {
+      {"Window", "Larger text and panels", {key('=')}, scale(1.1f)},
+      {"Window", "Smaller text and panels", {key('-')}, scale(1 / 1.1f)},
+      {"Window", "Text and panels at their usual size", {key('0')}, scale(0)},
+      {"Window",
+       "Light or dark theme",
+       {},
+       [this] {
+         preferences_.light_theme = !preferences_.light_theme;
+         dressed_ = false;
+       }},
+  };
+}
+
+std::vector<Action> App::recent_actions() {
+  std::vector<Action> actions;
+  for (const std::filesystem::path& file : preferences_.recent)
+    actions.push_back({"Files", "Open again: " + file.filename().string(), {}, [this, file] { open(file); }});
+  return actions;
+}
+
 std::vector<Action> App::preview_actions() {
   std::vector<Action> actions;
   PreviewView& view = preview_.view();
-  char digit = '1';
-  for (const Subject subject : kSubjects) {
-    actions.push_back({"Render",
-                       std::string("Show: ") + subject_text(subject),
-                       {Shortcut::character(digit++)},
-                       [&view, subject] { view.subject = subject; }});
-  }
   const auto has_photo = [this] { return session_.has_photo(); };
   actions.push_back({"Photo",
                      "Mark what is too bright",
@@ -102,6 +133,13 @@ std::vector<Action> App::preview_actions() {
                            central_crop(session_.photo().original_width, session_.photo().original_height));
                      },
                      has_photo});
+  char digit = '1';
+  for (const Subject subject : kSubjects) {
+    actions.push_back({"Render",
+                       std::string("Show: ") + subject_text(subject),
+                       {Shortcut::character(digit++)},
+                       [&view, subject] { view.subject = subject; }});
+  }
   const auto compare = [&](const char* name, char key, Comparison comparison) {
     actions.push_back({"Render",
                        name,

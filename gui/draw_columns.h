@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,9 @@ class DrawColumns {
   bool warmup(std::size_t draw) const { return (flags_[draw] & kWarmup) != 0; }
   bool divergent(std::size_t draw) const { return (flags_[draw] & kDivergent) != 0; }
   ParameterValues values(std::size_t draw) const;
+
+  /// The draw at a place of a chain, if it is there. Looks at all.
+  std::optional<std::size_t> find(int chain, std::int64_t iteration) const;
 
   /// Where the draw lies along an axis. Levels of a discrete parameter are spread over +-0.3, each draw by an
   /// amount of its own, so that a cloud can be seen and clicked.

@@ -39,6 +39,37 @@ PreviewRequest preview_request(const Session& session, const ShownDraw& shown, i
   return {settings.material, settings.z_seed, settings.capture, shown.values, resolution, tile};
 }
 
+ExportRequest export_request(const Session& session, const ShownDraw& shown) {
+  const PreviewRequest picture = preview_request(session, shown, 0);
+  ExportRequest request;
+  request.material = picture.material;
+  request.z_seed = picture.z_seed;
+  request.capture = picture.capture;
+  request.values = picture.values;
+  if (session.has_photo()) {
+    request.origin.photo = session.photo_file().filename().string();
+    request.origin.photo_sha256 = session.photo().sha256;
+  }
+  if (session.has_run()) request.origin.run = session.run().directory().filename().string();
+  request.origin.draw = shown_draw_title(shown);
+  if (shown.draw) {
+    const DrawColumns& draws = session.model().draws();
+    request.origin.draw = "chain " + std::to_string(draws.chain(*shown.draw) + 1) + ", step " +
+                          std::to_string(draws.iteration(*shown.draw) + 1);
+  }
+  return request;
+}
+
+std::string export_name(const Session& session, const ShownDraw& shown) {
+  const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
+  std::string name = settings.material;
+  if (session.has_photo()) name = session.photo_name() + "-" + name;
+  if (!shown.draw) return name;
+  const DrawColumns& draws = session.model().draws();
+  return name + "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
+         std::to_string(draws.iteration(*shown.draw) + 1);
+}
+
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b) {
   const auto key = [](const PreviewRequest& r) {
     return std::tie(r.material, r.z_seed, r.capture, r.values, r.resolution, r.tile);

@@ -102,9 +102,9 @@ void PreviewPanel::draw_wipe(const Texture& photo) const {
   const float x = corner.x + view_.wipe * square_.size.x, grip = 0.45f * ImGui::GetFontSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(photo.imgui_id(), corner, {x, end.y}, {0, 0}, {view_.wipe, 1});
-  list.AddRectFilled({x - 1, corner.y}, {x + 1, end.y}, theme::kText);
+  list.AddRectFilled({x - 1, corner.y}, {x + 1, end.y}, IM_COL32_WHITE);
   const float y = 0.5f * (corner.y + end.y);
-  list.AddCircleFilled({x, y}, grip, theme::kText);
+  list.AddCircleFilled({x, y}, grip, IM_COL32_WHITE);
   list.AddCircle({x, y}, grip, IM_COL32(0, 0, 0, 120));
   const float narrow = 0.16f * square_.size.x;
   if (view_.wipe * square_.size.x > narrow) label(corner, "Photo", false);

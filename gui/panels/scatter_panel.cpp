@@ -178,7 +178,7 @@ void ScatterPanel::draw_marks(const ExplorerModel& model) const {
   };
   if (const auto best = model.best(); best && best != model.selected())
     ring(*best, 0.42f * em, theme::kAccent);
-  if (const auto selected = model.selected()) ring(*selected, 0.5f * em, IM_COL32_WHITE);
+  if (const auto selected = model.selected()) ring(*selected, 0.5f * em, theme::kText);
 }
 
 void ScatterPanel::handle_mouse(ExplorerModel& model) {

@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "engine/io/file.h"
 #include "gui/layout.h"
 #include "tests/gui/app_fixture.h"
 
@@ -124,6 +125,9 @@ TEST_F(AppPanels, ExportWritesTheSelectedDrawsFiles) {
        {"params.json", "render.png", "base_color.png", "normal_gl.png", "roughness.png", "height.png"}) {
     EXPECT_TRUE(std::filesystem::exists(target / name)) << name;
   }
+  const std::string sidecar = read_file(target / "maps.json");
+  EXPECT_NE(sidecar.find("oak.png"), std::string::npos) << sidecar;
+  EXPECT_NE(sidecar.find("chain 1, step 1"), std::string::npos) << sidecar;
 }
 
 TEST_F(AppPanels, AnExportThatFailsSaysSo) {
