@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "gui/panels/chains_panel.h"
+#include "gui/panels/draw_panel.h"
 #include "gui/panels/help_sheet.h"
 #include "gui/panels/top_bar.h"
 #include "gui/theme.h"
@@ -18,19 +20,11 @@ namespace {
 constexpr float kFontSize = 15;                                 // at 96 dots per inch
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);  // between frames for new draws alone
 
-Fonts dressed(const Window& window) {
-  const float size = std::round(kFontSize * window.content_scale());
-  theme::apply(size);
-  return load_fonts(size, window.pixel_density());
-}
+constexpr auto kBetweenSaves = std::chrono::seconds(2);  // flushing to disk takes a while
 
 std::filesystem::path home() {
   const char* home = std::getenv("HOME");
   return home != nullptr && *home == '/' ? home : "/";
-}
-
-ExportRequest export_request(const PreviewRequest& picture) {
-  return {picture.material, picture.z_seed, picture.capture, picture.values, picture.resolution};
 }
 
 /// "chain2-step1405": a draw's place in the run, for names of files.
@@ -41,14 +35,71 @@ std::string place_name(const DrawColumns& draws, std::size_t draw) {
 
 }  // namespace
 
-App::App(Window& window, RunFactory factory, const std::filesystem::path& runs)
+App::App(Window& window, RunFactory factory, const std::filesystem::path& runs,
+         const std::filesystem::path& preferences)
     : window_(window),
-      fonts_(dressed(window)),
+      preferences_file_(preferences),
       session_(std::move(factory), runs, limited_wake([&window] { window.wake(); }, kDrawInterval)),
       previews_([&window] { window.wake(); }),
+      loader_([&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
-      scatter_(window.gl(), [&window] { window.wake(); }) {}
+      scatter_(window.gl(), [&window] { window.wake(); }),
+      actions_(make_actions()) {
+  if (!preferences_file_.empty()) attempt([this] { preferences_ = read_preferences(preferences_file_); });
+  saved_preferences_ = preferences_;
+  dialog_.start_in(preferences_.last_folder);
+}
+
+App::~App() {
+  if (preferences_ != saved_preferences_) save_preferences();
+}
+
+void App::dress() {
+  const float size = std::round(kFontSize * window_.content_scale() * preferences_.scale);
+  theme::apply(size, preferences_.light_theme ? theme::Theme::light : theme::Theme::dark);
+  fonts_ = load_fonts(size, window_.pixel_density());
+  dressed_ = true;
+}
+
+void App::save_preferences() {
+  saved_preferences_ = preferences_;
+  saved_at_ = std::chrono::steady_clock::now();
+  if (!preferences_file_.empty()) attempt([this] { write_preferences(preferences_file_, preferences_); });
+}
+
+void App::remember() {
+  const ImGuiIO& io = ImGui::GetIO();
+  preferences_.width = static_cast<int>(io.DisplaySize.x);
+  preferences_.height = static_cast<int>(io.DisplaySize.y);
+  preferences_.last_folder = dialog_.folder();
+  preferences_.last_run = session_.has_run() ? session_.run().directory() : std::filesystem::path();
+  if (!awaited_draw_) {
+    const DrawColumns& draws = session_.model().draws();
+    const auto selected = session_.model().selected();
+    preferences_.draw.reset();
+    if (selected) preferences_.draw = {draws.chain(*selected), draws.iteration(*selected)};
+  }
+  const bool idle = !ImGui::IsAnyMouseDown() && std::chrono::steady_clock::now() - saved_at_ > kBetweenSaves;
+  if (idle && preferences_ != saved_preferences_) save_preferences();
+}
+
+bool App::reopen() {
+  if (preferences_.last_run.empty() || !looks_like_run(preferences_.last_run)) return false;
+  const auto draw = preferences_.draw;
+  attempt([this] { load(std::filesystem::path(preferences_.last_run)); });
+  if (!session_.has_run()) return false;
+  awaited_draw_ = draw;
+  return true;
+}
+
+void App::restore_draw() {
+  if (!awaited_draw_) return;
+  ExplorerModel& model = session_.model();
+  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration);
+  if (found) model.select(found);
+  if (found || model.selected() || !session_.has_run()) awaited_draw_.reset();
+}
 
 void App::attempt(const std::function<void()>& action) {
   try {
@@ -60,6 +111,53 @@ void App::attempt(const std::function<void()>& action) {
 
 void App::load(const std::filesystem::path& path) {
   session_.open(path);
+  announce_opened();
+}
+
+void App::open(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    load(path);
+  } else {
+    loader_.start({path, std::nullopt});
+  }
+}
+
+void App::finish_loading() {
+  auto outcome = loader_.take();
+  if (!outcome) return;
+  const PhotoLoader::Request& request = outcome->request;
+  if (!outcome->photo) {
+    banner_.show(ErrorBanner::Kind::error, outcome->error);
+    // Asked for once more, it would fail again.
+    if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
+  } else if (!request.crop) {
+    session_.open_photo(std::move(*outcome->photo), request.file);
+    announce_opened();
+  } else if (request.file == session_.photo_file()) {
+    session_.recrop(std::move(*outcome->photo));
+  }
+}
+
+void App::follow_crop() {
+  if (!session_.photo_is_current()) loader_.start({session_.photo_file(), session_.chosen_crop()});
+}
+
+void App::take_dropped_files() {
+  auto files = window_.take_dropped_files();
+  if (files.size() == 1) commands_.push_back([this, file = files.front()] { open(file); });
+  if (files.size() > 1) file_choice_.ask(std::move(files));
+}
+
+void App::paste_path() {
+  const char* text = ImGui::GetClipboardText();
+  if (text != nullptr && *text != 0) open(typed_path(text, std::filesystem::current_path()));
+}
+
+void App::announce_opened() {
+  awaited_draw_.reset();
+  preferences_.opened(session_.has_run() ? session_.run().directory()
+                                         : std::filesystem::absolute(session_.photo_file()));
   banner_.dismiss();
   export_note_.clear();
   window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
@@ -68,30 +166,37 @@ void App::load(const std::filesystem::path& path) {
 }
 
 double App::patience() const {
-  if (scatter_.busy()) return 0;
+  if (scatter_.busy() || material_.table().behind()) return 0;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
+  if (preferences_ != saved_preferences_ && !preferences_file_.empty()) return 1;
+  if (preview_.animated()) return 0.5 * kFlickerSeconds;
   if (session_.is_live()) return 0.5;
   return 3600;
 }
 
 void App::frame(double longest_wait) {
+  if (!dressed_) dress();
   window_.begin_frame(std::min(patience(), longest_wait));
-  for (const auto& file : window_.take_dropped_files()) commands_.push_back([this, file] { load(file); });
+  take_dropped_files();
   take_in_news();
   handle_keys();
   draw_panels();
   for (const auto& command : std::exchange(commands_, {})) attempt(command);
-  note_step();
+  note_steps();
   attempt([this] { session_.save_stars(); });
+  remember();
   window_.end_frame();
 }
 
 void App::take_in_news() {
   attempt([this] { session_.poll(); });
+  restore_draw();
   attempt([this] {
-    if (const auto preview = previews_.take()) preview_.show(preview->maps);
+    if (const auto preview = previews_.take()) preview_.show(*preview);
   });
+  finish_loading();
+  follow_crop();
   finish_export();
 }
 
@@ -107,8 +212,12 @@ void App::finish_export() {
 }
 
 void App::handle_escape() {
-  if (dialog_.visible()) {
+  if (palette_.visible()) {
+    palette_.close();
+  } else if (dialog_.visible()) {
     dialog_.close();
+  } else if (file_choice_.visible()) {
+    file_choice_.close();
   } else if (help_open_) {
     help_open_ = false;
   } else if (banner_.visible()) {
@@ -120,15 +229,21 @@ void App::handle_escape() {
   }
 }
 
-void App::undo() {
-  if (history_run_ == session_.run_version() && history_.undo()) session_.model().restore(history_.now());
+bool App::step_back(Choices choices) {
+  if (choices == Choices::next_run) return session_.choices().undo();
+  if (!history_.undo()) return false;
+  session_.model().restore(history_.now());
+  return true;
 }
 
-void App::redo() {
-  if (history_run_ == session_.run_version() && history_.redo()) session_.model().restore(history_.now());
+bool App::step_forward(Choices choices) {
+  if (choices == Choices::next_run) return session_.choices().redo();
+  if (!history_.redo()) return false;
+  session_.model().restore(history_.now());
+  return true;
 }
 
-void App::note_step() {
+void App::note_steps() {
   const ExplorerChoices& choices = session_.model().choices();
   if (history_run_ != session_.run_version()) {
     history_ = History<ExplorerChoices>(choices);
@@ -138,27 +253,20 @@ void App::note_step() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool key_down = std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
   if (!ImGui::IsAnyMouseDown() && !key_down) history_.change(choices, true);
+  steps_.note(Choices::draws, history_.steps());
+  steps_.note(Choices::next_run, session_.choices().steps());
 }
 
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto pressed = [](ImGuiKey key, bool repeat) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
-  };
   // While a note is typed, Esc only ends that.
-  if (pressed(ImGuiKey_Escape, false) && (!io.WantTextInput || dialog_.visible())) handle_escape();
-  if (io.WantTextInput || dialog_.visible()) return;
-  if (io.KeyCtrl && ImGui::IsKeyPressed('O', false)) ask_to_open();
-  if (io.KeyCtrl && ImGui::IsKeyPressed('E', false)) ask_to_export();
-  if (io.KeyCtrl && ImGui::IsKeyPressed('Z')) io.KeyShift ? redo() : undo();
-  if (io.KeyCtrl && ImGui::IsKeyPressed('Y')) redo();
-  if (io.InputQueueCharacters.contains(static_cast<ImWchar>('?'))) help_open_ = !help_open_;
-  if (!io.KeyCtrl && ImGui::IsKeyPressed('S', false)) star_shown();
-  scatter_.handle_keys(session_.model());
-  if (pressed(ImGuiKey_LeftArrow, true)) session_.model().select_better();
-  if (pressed(ImGuiKey_RightArrow, true)) session_.model().select_worse();
-  if (pressed(ImGuiKey_Space, false) && session_.is_live() && session_.run().can_control()) {
-    session_.status().phase == RunPhase::paused ? session_.resume() : session_.pause();
+  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  if (escape && (!io.WantTextInput || dialog_.visible() || palette_.visible())) handle_escape();
+  if (io.WantTextInput || dialog_.visible() || file_choice_.visible() || palette_.visible()) return;
+  for (const Action& action : actions_) {
+    const bool pressed = std::ranges::any_of(
+        action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
+    if (pressed && action.enabled()) attempt(action.run);
   }
 }
 
@@ -169,31 +277,41 @@ void App::draw_panels() {
   const ShownDraw shown = shown_draw(session_);
   const std::string note = exporter_.busy() ? "Exporting..." : export_note_;
   const auto open_dialog = [this] { ask_to_open(); };
-  drag_columns(io.DisplaySize, em, shares_);
-  const Layout layout = lay_out(io.DisplaySize, shares_, em);
+  drag_columns(io.DisplaySize, em, preferences_.shares);
+  const Layout layout = lay_out(io.DisplaySize, preferences_.shares, em);
 
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, io.DisplaySize, theme::kWindow);
-  draw_top_bar(context, layout.top_bar, open_dialog, [this] { help_open_ = true; });
-  photo_.draw(context, layout.photo, open_dialog);
-  preview_.draw(context, layout.preview, shown, photo_.picture(), previews_.problem(), previews_.waiting());
+  draw_top_bar(context, layout.top_bar, preferences_.recent,
+               {open_dialog, [this](const auto& file) { open(file); }, [this] { help_open_ = true; },
+                [this] { palette_.open(); }});
+  photo_.draw(context, layout.photo, loader_.busy(), open_dialog);
+  preview_.draw(context, layout.preview, shown, photo_.compared(session_), previews_.problem(),
+                previews_.waiting());
   scatter_.draw(
       context, layout.scatter,
       {[this](std::size_t draw) { ask_to_export_draw(draw); }, [this] { ask_to_export_starred(); }});
   material_.draw(context, layout.material, shown);
   draw_chains_panel(context, layout.chains);
-  draw_.draw(context, layout.draw, shown, note, [this] { ask_to_export(); });
+  draw_draw_panel(context, layout.draw, shown, note, [this] { ask_to_export(); });
   draw_dialogs(context);
   // After the panels, so that a click is answered in the frame that saw it.
-  previews_.want(session_, shown_draw(session_), preview_.resolution());
+  const PreviewView& view = preview_.view();
+  previews_.want(session_, shown_draw(session_), view.resolution, is_shape(view.subject));
 }
 
 void App::draw_dialogs(const PanelContext& context) {
   banner_.draw(context, ImGui::GetIO().DisplaySize);
-  draw_help_sheet(context, help_open_);
-  const auto chosen = dialog_.draw(context);
+  draw_help_sheet(context, actions_, help_open_);
+  if (palette_.visible()) {
+    std::vector<Action> actions = actions_;
+    std::ranges::move(recent_actions(), std::back_inserter(actions));
+    palette_.draw(context, actions);
+  }
+  if (const auto file = file_choice_.draw(context)) commands_.push_back([this, file = *file] { open(file); });
+  const auto chosen = dialog_.draw(context, export_form_);
   if (!chosen) return;
   if (dialog_.purpose() == FileDialog::Purpose::open) {
-    commands_.push_back([this, path = *chosen] { load(path); });
+    commands_.push_back([this, path = *chosen] { open(path); });
   } else {
     commands_.push_back([this, path = *chosen] { start_export(path); });
   }
@@ -206,11 +324,7 @@ void App::ask_to_open() {
 
 void App::ask_to_export() {
   const ShownDraw shown = shown_draw(session_);
-  const PreviewRequest picture = preview_request(session_, shown, draw_.export_resolution());
-  std::string name = picture.material;
-  if (session_.has_photo()) name = session_.photo_name() + "-" + name;
-  if (shown.draw) name += "-" + place_name(session_.model().draws(), *shown.draw);
-  ask_for_export_folder({{export_request(picture), {}}}, name);
+  ask_for_export_folder({{export_request(session_, shown), {}}}, export_name(session_, shown));
 }
 
 void App::ask_to_export_draw(std::size_t draw) {
@@ -226,8 +340,7 @@ void App::ask_to_export_starred() {
     if (!draw) continue;
     const ShownDraw shown{ShownDraw::Kind::selected, draw, model.draws().lp(*draw),
                           model.draws().values(*draw)};
-    jobs.push_back({export_request(preview_request(session_, shown, draw_.export_resolution())),
-                    place_name(model.draws(), *draw)});
+    jobs.push_back({export_request(session_, shown), place_name(model.draws(), *draw)});
   }
   if (!jobs.empty()) ask_for_export_folder(std::move(jobs), session_.photo_name() + "-starred");
 }
@@ -240,7 +353,9 @@ void App::ask_for_export_folder(std::vector<ExportJob> jobs, const std::string& 
 }
 
 void App::start_export(const std::filesystem::path& folder) {
-  if (!exporter_.busy()) exporter_.start(export_jobs_, folder);
+  if (exporter_.busy()) return;
+  for (ExportJob& job : export_jobs_) export_form_.complete(job.request);
+  exporter_.start(export_jobs_, folder);
 }
 
 void App::star_shown() {

@@ -1,23 +1,30 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "gui/action.h"
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
 #include "gui/history.h"
 #include "gui/layout.h"
-#include "gui/panels/draw_panel.h"
+#include "gui/panels/command_palette.h"
 #include "gui/panels/error_banner.h"
+#include "gui/panels/export_form.h"
+#include "gui/panels/file_choice.h"
 #include "gui/panels/file_dialog.h"
 #include "gui/panels/material_panel.h"
 #include "gui/panels/photo_panel.h"
 #include "gui/panels/preview_panel.h"
 #include "gui/panels/scatter_panel.h"
+#include "gui/photo_loader.h"
+#include "gui/preferences.h"
 #include "gui/preview_feed.h"
 #include "gui/session.h"
+#include "gui/step_order.h"
 #include "gui/window.h"
 
 namespace patina {
@@ -26,35 +33,71 @@ namespace patina {
 /// sentence in the window, and the program goes on.
 class App {
  public:
-  /// @param window  outlives the app
-  /// @param runs    folder for the directories of runs started here
-  App(Window& window, RunFactory factory, const std::filesystem::path& runs);
+  /// @param window       outlives the app
+  /// @param runs         folder for the directories of runs started here
+  /// @param preferences  file that remembers how the program was left; empty: nothing is remembered
+  App(Window& window, RunFactory factory, const std::filesystem::path& runs,
+      const std::filesystem::path& preferences = {});
+  ~App();
 
   /// Opens a photo or a run. @throws UserError; everything is as it was before then
   void load(const std::filesystem::path& path);
+  /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
+  void open(const std::filesystem::path& path);
+  /// Opens the run that was open when the program was left, at the same draw. @return whether there is one
+  bool reopen();
 
   /// Waits until something happens, at most so many seconds, then draws one frame.
   void frame(double longest_wait = 3600);
 
   Session& session() { return session_; }
   const Session& session() const { return session_; }
+  const std::vector<Action>& actions() const { return actions_; }
   const ErrorBanner& banner() const { return banner_; }
   const ScatterPanel& scatter() const { return scatter_; }
+  PreviewPanel& preview() { return preview_; }
   const PreviewPanel& preview() const { return preview_; }
+  const MaterialPanel& material() const { return material_; }
   const FileDialog& dialog() const { return dialog_; }
+  bool previews_waiting() const { return previews_.waiting(); }
+  PhotoPanel& photo_panel() { return photo_; }
+  const FileChoice& file_choice() const { return file_choice_; }
+  const CommandPalette& palette() const { return palette_; }
+  const Preferences& preferences() const { return preferences_; }
+  bool loading() const { return loader_.busy(); }
   bool exporting() const { return exporter_.busy(); }
 
  private:
+  /// What has a history.
+  enum class Choices { draws, next_run };
+
   double patience() const;  ///< seconds until something may change by itself
   void attempt(const std::function<void()>& action);
+  std::vector<Action> make_actions();
+  std::vector<Action> file_actions();
+  std::vector<Action> view_actions();
+  std::vector<Action> recent_actions();
+  std::vector<Action> run_actions();
+  std::vector<Action> preview_actions();
+  std::vector<Action> draw_actions();
+  std::vector<Action> plot_actions();
+  void dress();
+  void remember();
+  void save_preferences();
+  void restore_draw();
   void take_in_news();
+  void finish_loading();
+  void follow_crop();
+  void announce_opened();
+  void take_dropped_files();
+  void paste_path();
   void finish_export();
   void handle_keys();
   void handle_escape();
   void draw_panels();
-  void undo();
-  void redo();
-  void note_step();
+  bool step_back(Choices choices);
+  bool step_forward(Choices choices);
+  void note_steps();
   void draw_dialogs(const PanelContext& context);
   void ask_to_open();
   void ask_to_export();
@@ -65,24 +108,33 @@ class App {
   void star_shown();
 
   Window& window_;
-  Fonts fonts_;
+  std::filesystem::path preferences_file_;
+  ErrorBanner banner_;
+  Preferences preferences_, saved_preferences_;
+  std::chrono::steady_clock::time_point saved_at_;
+  std::optional<Preferences::DrawPlace> awaited_draw_;  ///< to be selected when it has been read
+  Fonts fonts_{};
+  bool dressed_ = false;  ///< fonts and colours are as the preferences want them
   Session session_;
   PreviewFeed previews_;
   ExportWorker exporter_;
-  ColumnShares shares_;
-  ErrorBanner banner_;
+  PhotoLoader loader_;
   FileDialog dialog_;
+  FileChoice file_choice_;
+  CommandPalette palette_;
   PhotoPanel photo_;
   PreviewPanel preview_;
   ScatterPanel scatter_;
   MaterialPanel material_;
-  DrawPanel draw_;
+  ExportForm export_form_;
   Commands commands_;
   History<ExplorerChoices> history_{ExplorerChoices()};  ///< of what the user chose about the run's draws
   int history_run_ = 0;
+  StepOrder<Choices> steps_;
   std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
+  std::vector<Action> actions_;
 };
 
 }  // namespace patina

@@ -28,7 +28,8 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   std::string input, offscreen, size;
   CLI::App app("Patina shows which procedural materials could have made a flash photo of a surface.",
                "patina");
-  app.add_option("photo", input, "A photo, or the directory of a run; without it a bundled sample is opened")
+  app.add_option("photo", input,
+                 "A photo, or the directory of a run; without it the last run, at first a bundled sample")
       ->type_name("PHOTO|RUN_DIR");
   app.add_option("--material", arguments.material, "The material to begin with")->type_name("NAME");
   app.add_option("--offscreen", offscreen,
@@ -37,7 +38,8 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   app.add_option("--seconds", arguments.seconds, "How long to run off screen")
       ->capture_default_str()
       ->type_name("S");
-  app.add_option("--size", size, "Size of the window, 1280x800 unless told")->type_name("WxH");
+  app.add_option("--size", size, "Size of the window; without it as it was left, at first 1280x800")
+      ->type_name("WxH");
   app.set_version_flag("--version", "patina " PATINA_VERSION, "Print the version");
   try {
     app.parse(argc, argv);

@@ -8,12 +8,11 @@ namespace patina {
 
 /// What the command line of `patina` asks for.
 struct Arguments {
-  std::filesystem::path input;      ///< photo or run directory; empty: the bundled sample
-  std::string material;             ///< empty: the default one
-  std::filesystem::path offscreen;  ///< picture of the window to save; empty: a real window
-  double seconds = 20;              ///< how long to run off screen
-  int width = 1280;                 ///< of the window, in screen coordinates
-  int height = 800;
+  std::filesystem::path input;       ///< photo or run directory; empty: the bundled sample
+  std::string material;              ///< empty: the default one
+  std::filesystem::path offscreen;   ///< picture of the window to save; empty: a real window
+  double seconds = 20;               ///< how long to run off screen
+  std::optional<int> width, height;  ///< of the window, in screen coordinates; none: as it was left
 };
 
 /// @return nothing where the text that was asked for (--help, --version) has been printed

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <string_view>
 #include <tuple>
@@ -17,6 +18,20 @@ namespace fs = std::filesystem;
 /// What load_photo() reads; a file with another name may still be dropped or typed in.
 constexpr std::array<std::string_view, 12> kImageExtensions{".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr",
                                                             ".hdr", ".webp", ".bmp", ".ppm", ".jp2",  ".j2k"};
+
+/// %20 and the like as the bytes that they stand for.
+std::string decoded(const std::string& address) {
+  std::string path;
+  for (std::size_t i = 0; i < address.size(); ++i) {
+    unsigned byte = 0;
+    const char* digits = address.data() + i + 1;
+    const bool escaped = address[i] == '%' && i + 2 < address.size() &&
+                         std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    path += escaped ? static_cast<char>(byte) : address[i];
+    if (escaped) i += 2;
+  }
+  return path;
+}
 
 }  // namespace
 
@@ -55,9 +70,11 @@ std::vector<DirectoryEntry> list_directory(const fs::path& folder) {
 }
 
 fs::path typed_path(const std::string& text, const fs::path& folder) {
-  const auto first = text.find_first_not_of(" \t");
+  constexpr const char* kAround = " \t\r\n'\"";
+  const auto first = text.find_first_not_of(kAround);
   if (first == std::string::npos) return folder;
-  std::string path = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  std::string path = text.substr(first, text.find_last_not_of(kAround) - first + 1);
+  if (path.starts_with("file://")) path = decoded(path.substr(7));
   const char* home = std::getenv("HOME");
   if (home != nullptr && (path == "~" || path.starts_with("~/"))) path.replace(0, 1, home);
   return (folder / path).lexically_normal();

@@ -23,8 +23,8 @@ bool looks_like_image(const std::filesystem::path& file);
 /// Whether the folder is a run directory, as far as its name for the settings goes.
 bool looks_like_run(const std::filesystem::path& folder);
 
-/// A path as a user types it: ~ is the home folder, relative paths start in `folder`; blanks around it are
-/// dropped.
+/// A path as a user types or copies it: ~ is the home folder, relative paths start in `folder`; blanks, line
+/// ends and quotes around it are dropped; a file:// address is its path.
 std::filesystem::path typed_path(const std::string& text, const std::filesystem::path& folder);
 
 }  // namespace patina

@@ -77,6 +77,12 @@ ParameterValues DrawColumns::values(std::size_t draw) const {
   return values;
 }
 
+std::optional<std::size_t> DrawColumns::find(int chain, std::int64_t iteration) const {
+  for (std::size_t draw = 0; draw < size(); ++draw)
+    if (iteration_[draw] == iteration && chain_[draw] == chain) return draw;
+  return std::nullopt;
+}
+
 double DrawColumns::place(const PlotAxis& axis, std::size_t draw) const {
   switch (axis.kind) {
     case PlotAxis::Kind::continuous:

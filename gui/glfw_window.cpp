@@ -48,7 +48,13 @@ struct ImguiGlfw {
 /// frame before would be lost. Such keys are held down for one frame.
 class QuickTaps {
  public:
-  void went_down(int key) { keys_.push_back(key); }
+  /// @param modifiers  GLFW's, as the key went down: they may be up again, too, when the frame begins
+  void went_down(int key, int modifiers) {
+    keys_.push_back(key);
+    if ((modifiers & GLFW_MOD_CONTROL) != 0) keys_.push_back(GLFW_KEY_LEFT_CONTROL);
+    if ((modifiers & GLFW_MOD_SHIFT) != 0) keys_.push_back(GLFW_KEY_LEFT_SHIFT);
+    if ((modifiers & GLFW_MOD_ALT) != 0) keys_.push_back(GLFW_KEY_LEFT_ALT);
+  }
 
   /// Between the events and ImGui's frame.
   void hold() {
@@ -161,8 +167,8 @@ class GlfwWindow final : public Window {
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stir(w); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stir(w); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stir(w); });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-      if (action == GLFW_PRESS && key >= 0) of(w).taps_.went_down(key);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+      if (action == GLFW_PRESS && key >= 0) of(w).taps_.went_down(key, modifiers);
       stir(w);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stir(w); });

@@ -28,11 +28,16 @@ class History {
       return;
     }
     future_.clear();
-    if (new_gesture || !open_) past_.push_back(std::move(now_));
+    if (new_gesture || !open_) {
+      past_.push_back(std::move(now_));
+      ++steps_;
+    }
     if (past_.size() > kMost) past_.pop_front();
     now_ = std::move(state);
     open_ = now_ != past_.back();
-    if (!open_) past_.pop_back();
+    if (open_) return;
+    past_.pop_back();
+    --steps_;
   }
 
   /// @return whether there was a step to take back
@@ -53,6 +58,9 @@ class History {
     return true;
   }
 
+  /// How many changes began a step, so that whoever keeps several histories knows which moved last.
+  std::ptrdiff_t steps() const { return steps_; }
+
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
@@ -60,7 +68,8 @@ class History {
   State now_;
   std::deque<State> past_;     ///< oldest first
   std::vector<State> future_;  ///< furthest first
-  bool open_ = false;          ///< the last step is a gesture that may go on
+  std::ptrdiff_t steps_ = 0;
+  bool open_ = false;  ///< the last step is a gesture that may go on
 };
 
 }  // namespace patina

@@ -14,6 +14,7 @@ struct Rect {
 struct ColumnShares {
   float left = 0.27f;
   float right = 0.31f;
+  bool operator==(const ColumnShares&) const = default;
 };
 
 /// Where every panel goes.

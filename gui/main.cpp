@@ -20,22 +20,34 @@ namespace patina {
 namespace {
 
 void begin(App& app, const Arguments& arguments) {
-  if (!arguments.material.empty()) app.session().set_material(arguments.material);
+  if (!arguments.material.empty()) app.session().choices().set_material(arguments.material);
   const bool sample = arguments.input.empty();
+  if (sample && arguments.material.empty() && app.reopen()) return;
   app.load(sample ? data_directory() / "photos" / "sample_bump.png" : arguments.input);
   if (!app.session().has_run()) app.session().start();
 }
 
+/// How the window was left; the app says what is wrong with the file.
+Preferences left_preferences() {
+  try {
+    return read_preferences(preferences_file());
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
 void run_on_desktop(const Arguments& arguments) {
-  const auto window = make_glfw_window("Patina", arguments.width, arguments.height);
-  App app(*window, {}, default_runs_directory());
+  const Preferences left = left_preferences();
+  const auto window = make_glfw_window("Patina", arguments.width.value_or(left.width),
+                                       arguments.height.value_or(left.height));
+  App app(*window, {}, default_runs_directory(), preferences_file());
   begin(app, arguments);
   while (!window->should_close()) app.frame();
 }
 
 void run_offscreen(const Arguments& arguments) {
   using Clock = std::chrono::steady_clock;
-  const auto window = OffscreenWindow::make(arguments.width, arguments.height);
+  const auto window = OffscreenWindow::make(arguments.width.value_or(1280), arguments.height.value_or(800));
   App app(*window, {}, default_runs_directory());
   begin(app, arguments);
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(

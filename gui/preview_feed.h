@@ -17,7 +17,7 @@ class PreviewFeed {
   explicit PreviewFeed(std::function<void()> wake) : worker_(std::move(wake)) {}
 
   /// Asks for what is shown unless it has been asked for already.
-  void want(const Session& session, const ShownDraw& shown, int resolution);
+  void want(const Session& session, const ShownDraw& shown, int resolution, bool tile = false);
 
   /// The newest render, once.
   std::optional<Preview> take();

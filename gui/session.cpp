@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/material/registry.h"
+#include "gui/photo_loader.h"
 #include "gui/words.h"
 
 namespace patina {
@@ -14,12 +14,18 @@ namespace {
 
 constexpr const char* kRunPhoto = "photo.png";  // a run directory's own copy
 
+/// The geometry of a photo of which the width is known: with the camera's own field of view, if EXIF told.
+Capture capture_of(const Photo& photo, double size_cm) {
+  const Capture standard;
+  const double camera =
+      photo.focal_pixels ? *photo.focal_pixels / photo.crop.side : standard.camera_cm / standard.size_cm;
+  return {size_cm, camera * size_cm};
+}
+
 }  // namespace
 
 Session::Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake)
-    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {
-  set_material(settings_.material);
-}
+    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {}
 
 Session::~Session() = default;
 
@@ -28,7 +34,7 @@ void Session::open(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, ignored)) {
     open_run_directory(path);
   } else {
-    open_photo(path);
+    open_photo(load_photo(path, {std::nullopt, PhotoLoader::kWholeSide}), path);
   }
 }
 
@@ -37,49 +43,60 @@ std::string Session::photo_name() const {
   return (of_run ? photo_file_.parent_path().filename() : photo_file_.stem()).string();
 }
 
-void Session::open_photo(const std::filesystem::path& file) {
-  Photo photo = load_photo(file);
+void Session::open_photo(Photo photo, const std::filesystem::path& file) {
   let_run_go();
+  choices_.begin_photo(capture_of(photo, settings().capture.size_cm));
   photo_ = std::move(photo);
   photo_file_ = file;
   ++photo_version_;
 }
 
+void Session::recrop(Photo photo) {
+  photo_ = std::move(photo);
+  ++photo_version_;
+}
+
+PhotoCrop Session::chosen_crop() const {
+  return choices_.crop().value_or(central_crop(photo_->original_width, photo_->original_height));
+}
+
+void Session::crop_to(const PhotoCrop& crop) {
+  Capture capture = settings().capture;
+  capture.size_cm *= static_cast<double>(crop.side) / chosen_crop().side;
+  choices_.set_crop(crop, capture);
+}
+
+bool Session::choices_wait() const {
+  const bool other_crop = source_ && run_photo_ && run_photo_->crop != chosen_crop();
+  return source_ && (other_crop || choices_.differ_from(source_->settings()));
+}
+
 void Session::open_run_directory(const std::filesystem::path& directory) {
   std::unique_ptr<DrawSource> source = factory_.open(directory);
-  ParameterTable next_table = material_table(source->settings().material);
+  RunChoices choices(source->settings());
   Photo photo;
   photo.image = source->photo();
   photo.original_width = photo.image.width;
   photo.original_height = photo.image.height;
+  photo.crop = central_crop(photo.original_width, photo.original_height);
 
   adopt(std::move(source));
   photo_ = std::move(photo);
   photo_file_ = std::filesystem::absolute(directory / kRunPhoto).lexically_normal();
   ++photo_version_;
-  settings_ = source_->settings();
-  next_table_ = std::move(next_table);
-}
-
-void Session::set_material(const std::string& name) {
-  next_table_ = material_table(name);
-  settings_.material = name;
-  settings_.fixed.clear();
-  settings_.priors.clear();
-}
-
-void Session::set_size_cm(double size_cm) {
-  assert(size_cm > 0);
-  settings_.capture.camera_cm *= size_cm / settings_.capture.size_cm;
-  settings_.capture.size_cm = size_cm;
+  choices_ = std::move(choices);
 }
 
 void Session::start() {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
+  if (!photo_is_current())
+    throw UserError("The part of the photo that you chose is still being read: start again in a moment.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
-  adopt(factory_.start(settings_, *photo_, fresh_run_directory(runs_, photo_name(), settings_.material),
+  const auto photo = std::make_shared<const Photo>(*photo_);
+  adopt(factory_.start(settings(), *photo, fresh_run_directory(runs_, photo_name(), settings().material),
                        wake_));
+  run_photo_ = photo;
 }
 
 void Session::let_run_go() {
@@ -92,6 +109,7 @@ void Session::let_run_go() {
   kept_stars_.clear();
   status_ = RunStatus();
   summary_.reset();
+  run_photo_.reset();
   readable_ = true;
   ++run_version_;
 }
@@ -135,7 +153,7 @@ void Session::stop() {
 
 bool Session::can_go_on() const {
   const bool ended = status_.phase == RunPhase::finished || status_.phase == RunPhase::stopped;
-  return source_ && ended && source_->can_control() && photo_ && !source_->settings().map_only;
+  return source_ && ended && source_->can_control() && run_photo_ && !source_->settings().map_only;
 }
 
 void Session::go_on() {
@@ -146,7 +164,9 @@ void Session::go_on() {
   });
   if (!some_left && !status_.chains.empty()) settings.draws *= 2;
   settings.stop.ess = settings.stop.rhat = 0;
-  adopt(factory_.resume(settings, *photo_, source_->directory(), wake_));
+  const auto photo = run_photo_;
+  adopt(factory_.resume(settings, *photo, source_->directory(), wake_));
+  run_photo_ = photo;
 }
 
 void Session::poll() {

@@ -10,6 +10,7 @@
 #include "engine/io/photo.h"
 #include "engine/run/draw_source.h"
 #include "gui/explorer_model.h"
+#include "gui/run_choices.h"
 #include "gui/run_factory.h"
 #include "gui/summary_worker.h"
 
@@ -28,16 +29,32 @@ class Session {
   /// @throws UserError
   void open(const std::filesystem::path& path);
 
+  /// Opens a photo that was read, in place of all that is open.
+  void open_photo(Photo photo, const std::filesystem::path& file);
+  /// Takes in another part of the photo that is open; the run stays.
+  void recrop(Photo photo);
+
   bool has_photo() const { return photo_.has_value(); }
   const Photo& photo() const { return *photo_; }
   std::string photo_name() const;  ///< the file's name without extension; of a run its directory's
+  const std::filesystem::path& photo_file() const { return photo_file_; }
   int photo_version() const { return photo_version_; }  ///< grows with every photo
 
-  /// Settings of the next run.
-  const RunSettings& settings() const { return settings_; }
-  const ParameterTable& next_table() const { return next_table_; }  ///< of settings().material
-  void set_material(const std::string& name);  ///< @throws UserError; fixed values and priors go
-  void set_size_cm(double size_cm);            ///< keeps the field of view
+  /// Chooses another part of the photo. The camera stays where it was, so that the sample's width changes.
+  void crop_to(const PhotoCrop& crop);
+  /// Whether photo() is the part that is chosen; another one has to be read if not.
+  bool photo_is_current() const { return !photo_ || photo_->crop == chosen_crop(); }
+  PhotoCrop chosen_crop() const;  ///< there is a photo
+
+  /// What the user has chosen for the next run.
+  RunChoices& choices() { return choices_; }
+  const RunChoices& choices() const { return choices_; }
+  const RunSettings& settings() const { return choices_.settings(); }
+
+  /// Whether the run that is open does not infer what is chosen now: the choices wait for the next one.
+  bool choices_wait() const;
+  /// Whether the run that is open is of the material that is chosen.
+  bool run_is_of_choice() const { return source_ && source_->settings().material == settings().material; }
 
   /// Starts a run on the photo in a fresh directory; the run that was open is let go.
   /// @throws UserError if there is no photo or the run cannot start
@@ -72,7 +89,6 @@ class Session {
   const std::optional<RunSummary>& summary() const { return summary_; }  ///< of the draws after warm-up
 
  private:
-  void open_photo(const std::filesystem::path& file);
   void open_run_directory(const std::filesystem::path& directory);
   void let_run_go();
   void adopt(std::unique_ptr<DrawSource> source);
@@ -83,8 +99,8 @@ class Session {
   std::function<void()> wake_;
   std::optional<Photo> photo_;
   std::filesystem::path photo_file_;
-  RunSettings settings_;
-  ParameterTable next_table_;
+  std::shared_ptr<const Photo> run_photo_;  ///< of the run that was started here
+  RunChoices choices_;
   ExplorerModel model_;
   RunStatus status_;
   std::optional<RunSummary> summary_;

@@ -16,8 +16,8 @@ ShownDraw shown_draw(const Session& session) {
     return {ShownDraw::Kind::best, best, model.draws().lp(*best), model.draws().values(*best)};
   }
   if (status.best) return {ShownDraw::Kind::search, std::nullopt, status.best_lp, *status.best};
-  const ParameterTable& table = session.has_run() ? session.model().table() : session.next_table();
-  return {ShownDraw::Kind::typical, std::nullopt, 0, prior_location(table)};
+  return {ShownDraw::Kind::typical, std::nullopt, 0,
+          session.has_run() ? prior_location(model.table()) : session.choices().typical()};
 }
 
 std::string shown_draw_title(const ShownDraw& shown) {
@@ -34,14 +34,45 @@ std::string shown_draw_title(const ShownDraw& shown) {
   return {};
 }
 
-PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution) {
+PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution, bool tile) {
   const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
-  return {settings.material, settings.z_seed, settings.capture, shown.values, resolution};
+  return {settings.material, settings.z_seed, settings.capture, shown.values, resolution, tile};
+}
+
+ExportRequest export_request(const Session& session, const ShownDraw& shown) {
+  const PreviewRequest picture = preview_request(session, shown, 0);
+  ExportRequest request;
+  request.material = picture.material;
+  request.z_seed = picture.z_seed;
+  request.capture = picture.capture;
+  request.values = picture.values;
+  if (session.has_photo()) {
+    request.origin.photo = session.photo_file().filename().string();
+    request.origin.photo_sha256 = session.photo().sha256;
+  }
+  if (session.has_run()) request.origin.run = session.run().directory().filename().string();
+  request.origin.draw = shown_draw_title(shown);
+  if (shown.draw) {
+    const DrawColumns& draws = session.model().draws();
+    request.origin.draw = "chain " + std::to_string(draws.chain(*shown.draw) + 1) + ", step " +
+                          std::to_string(draws.iteration(*shown.draw) + 1);
+  }
+  return request;
+}
+
+std::string export_name(const Session& session, const ShownDraw& shown) {
+  const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
+  std::string name = settings.material;
+  if (session.has_photo()) name = session.photo_name() + "-" + name;
+  if (!shown.draw) return name;
+  const DrawColumns& draws = session.model().draws();
+  return name + "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
+         std::to_string(draws.iteration(*shown.draw) + 1);
 }
 
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b) {
   const auto key = [](const PreviewRequest& r) {
-    return std::tie(r.material, r.z_seed, r.capture, r.values, r.resolution);
+    return std::tie(r.material, r.z_seed, r.capture, r.values, r.resolution, r.tile);
   };
   return key(a) == key(b);
 }

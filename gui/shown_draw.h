@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/run/export_draw.h"
 #include "engine/run/preview_worker.h"
 #include "gui/session.h"
 
@@ -28,8 +29,13 @@ ShownDraw shown_draw(const Session& session);
 /// "Selected draw", "Best draw so far" ...
 std::string shown_draw_title(const ShownDraw& shown);
 
-/// What has to be rendered for it. @param resolution pixels a side
-PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution);
+/// What has to be rendered for it. @param resolution pixels a side @param tile see PreviewRequest
+PreviewRequest preview_request(const Session& session, const ShownDraw& shown, int resolution,
+                               bool tile = false);
+
+/// What has to be exported of it, and a name for the folder.
+ExportRequest export_request(const Session& session, const ShownDraw& shown);
+std::string export_name(const Session& session, const ShownDraw& shown);
 
 /// Whether two requests have the same picture.
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b);

@@ -7,6 +7,15 @@
 namespace patina::theme {
 namespace {
 
+/// As Dear ImGui's own style, the program has one at a time; the window's thread alone looks at it.
+Theme in_force = Theme::dark;
+
+constexpr Role kPopup{IM_COL32(42, 44, 46, 255), IM_COL32(244, 245, 245, 255)};
+constexpr Role kFrame{IM_COL32(48, 50, 53, 255), IM_COL32(212, 214, 216, 255)};
+constexpr Role kFrameHovered{IM_COL32(60, 63, 66, 255), IM_COL32(200, 203, 205, 255)};
+constexpr Role kFrameActive{IM_COL32(72, 75, 79, 255), IM_COL32(188, 191, 194, 255)};
+constexpr Role kScrollbarHeld{IM_COL32(80, 83, 87, 255), IM_COL32(150, 154, 158, 255)};
+
 ImVec4 color(ImU32 packed, float alpha = 1) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(packed);
   value.w *= alpha;
@@ -36,11 +45,11 @@ void apply_colors(ImGuiStyle& style) {
   set(kText, {ImGuiCol_Text});
   set(kMuted, {ImGuiCol_TextDisabled});
   set(kPanel, {ImGuiCol_WindowBg, ImGuiCol_TableHeaderBg});
-  set(IM_COL32(42, 44, 46, 255), {ImGuiCol_PopupBg});
+  set(kPopup, {ImGuiCol_PopupBg});
   set(kLine, {ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong});
-  set(IM_COL32(48, 50, 53, 255), {ImGuiCol_FrameBg, ImGuiCol_Button});
-  set(IM_COL32(60, 63, 66, 255), {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered});
-  set(IM_COL32(72, 75, 79, 255), {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive});
+  set(kFrame, {ImGuiCol_FrameBg, ImGuiCol_Button});
+  set(kFrameHovered, {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered});
+  set(kFrameActive, {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive});
   set(kAccent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_PlotHistogram,
                 ImGuiCol_NavHighlight});
   set(kAccent, {ImGuiCol_Header, ImGuiCol_TextSelectedBg}, 0.25f);
@@ -48,7 +57,7 @@ void apply_colors(ImGuiStyle& style) {
   set(kAccent, {ImGuiCol_HeaderActive}, 0.45f);
   set(kPanel, {ImGuiCol_ScrollbarBg}, 0);
   set(kLine, {ImGuiCol_ScrollbarGrab});
-  set(IM_COL32(80, 83, 87, 255), {ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
+  set(kScrollbarHeld, {ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
   set(IM_COL32(0, 0, 0, 255), {ImGuiCol_ModalWindowDimBg}, 0.55f);
   set(IM_COL32(255, 255, 255, 255), {ImGuiCol_TableRowBgAlt}, 0.02f);
 }
@@ -89,15 +98,22 @@ ImU32 ramp_color(double t) {
   return kRamp[static_cast<std::size_t>(std::lround(std::min(t, 1.0) * (kRampColors - 1)))];
 }
 
+Role::operator ImU32() const { return in_force == Theme::dark ? dark_ : light_; }
+
 ImU32 chain_color(int chain) {
-  static constexpr std::array<ImU32, 8> kColors{IM_COL32(86, 180, 233, 255), IM_COL32(240, 170, 50, 255),
-                                                IM_COL32(60, 190, 140, 255), IM_COL32(224, 130, 180, 255),
-                                                IM_COL32(240, 228, 90, 255), IM_COL32(110, 140, 230, 255),
-                                                IM_COL32(232, 110, 60, 255), IM_COL32(190, 190, 195, 255)};
+  static constexpr std::array kColors{Role{IM_COL32(86, 180, 233, 255), IM_COL32(0, 114, 178, 255)},
+                                      Role{IM_COL32(240, 170, 50, 255), IM_COL32(214, 140, 0, 255)},
+                                      Role{IM_COL32(60, 190, 140, 255), IM_COL32(0, 138, 100, 255)},
+                                      Role{IM_COL32(224, 130, 180, 255), IM_COL32(190, 90, 145, 255)},
+                                      Role{IM_COL32(240, 228, 90, 255), IM_COL32(168, 152, 0, 255)},
+                                      Role{IM_COL32(110, 140, 230, 255), IM_COL32(70, 90, 200, 255)},
+                                      Role{IM_COL32(232, 110, 60, 255), IM_COL32(196, 80, 0, 255)},
+                                      Role{IM_COL32(190, 190, 195, 255), IM_COL32(90, 90, 95, 255)}};
   return kColors[static_cast<std::size_t>(chain) % kColors.size()];
 }
 
-void apply(float font_size) {
+void apply(float font_size, Theme theme) {
+  in_force = theme;
   ImGuiStyle& style = ImGui::GetStyle();
   apply_spacing(style, font_size);
   apply_colors(style);

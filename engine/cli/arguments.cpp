@@ -1,6 +1,7 @@
 #include "engine/cli/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -48,6 +49,21 @@ std::pair<std::string, TruncatedNormal> parse_prior(const std::string& text) {
                     "' is not understood: write --prior NAME=MEAN,SD,LOW,HIGH, for example --prior "
                     "rough=0.4,0.1,0.2,0.6.");
   return {text.substr(0, equals), {numbers[0], numbers[1], numbers[2], numbers[3]}};
+}
+
+PhotoCrop parse_crop(const std::string& text) {
+  std::array<int, 3> numbers{};
+  const char *place = text.data(), *end = text.data() + text.size();
+  bool good = true;
+  for (std::size_t i = 0; good && i < numbers.size(); ++i) {
+    const auto [rest, error] = std::from_chars(place, end, numbers[i]);
+    good = error == std::errc{} && (i + 1 < numbers.size() ? rest != end && *rest == ',' : rest == end);
+    place = rest + 1;
+  }
+  if (!good)
+    throw UserError("'--crop " + text +
+                    "' is not understood: write --crop X,Y,SIDE in pixels, for example --crop 300,120,800.");
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 void CaptureArguments::add_to(CLI::App& command) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/io/photo.h"
 #include "engine/material/capture.h"
 #include "engine/material/parameter.h"
 
@@ -19,6 +20,9 @@ std::pair<std::string, double> parse_assignment(const std::string& option, const
 
 /// "rough=0.4,0.1,0.2,0.6" (mean, sd, low, high). @throws UserError
 std::pair<std::string, TruncatedNormal> parse_prior(const std::string& text);
+
+/// "300,120,800" (x, y and side in pixels of the upright photo). @throws UserError
+PhotoCrop parse_crop(const std::string& text);
 
 /// A check for CLI11: empty for a whole number from 0 to 2^64 - 1, else what is wrong. CLI11 itself would
 /// take -1 for the largest seed.

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "engine/io/file.h"
 #include "engine/io/params_json.h"
 #include "engine/run/export_draw.h"
+#include "engine/run/manifest.h"
 #include "engine/run/run.h"
 #include "engine/run/threads.h"
 
@@ -20,7 +22,24 @@ struct Options {
   std::string draw = "map", format;
   int resolution = 1024;
   bool tile = false;
+  std::string image = "png16", normal = "opengl";
 };
+
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+ExportRequest request_of(const Options& options, const DrawSource& run, const ParameterValues& values) {
+  const RunSettings& settings = run.settings();
+  ExportRequest request{settings.material,  settings.z_seed, settings.capture, values,
+                        options.resolution, options.tile};
+  request.format = static_cast<MapFormat>(place_in(map_format_names(), options.image));
+  request.normals = static_cast<NormalConvention>(place_in(normal_convention_names(), options.normal));
+  request.origin.photo_sha256 = read_manifest(options.directory).photo_sha256;
+  request.origin.run = std::filesystem::absolute(options.directory).lexically_normal().filename();
+  request.origin.draw = options.draw;
+  return request;
+}
 
 int export_run(const Options& options) {
   if (options.tile && options.format != "maps")
@@ -37,10 +56,7 @@ int export_run(const Options& options) {
     return kDone;
   }
   use_tensor_threads(hardware_threads());
-  const RunSettings& settings = run->settings();
-  export_draw(
-      {settings.material, settings.z_seed, settings.capture, values, options.resolution, options.tile},
-      options.out);
+  export_draw(request_of(options, *run, values), options.out);
   return kDone;
 }
 
@@ -57,12 +73,23 @@ void add_export(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command
       .add_option("--format", options->format,
-                  "json: the draw's parameters; maps: a folder of 16-bit textures, render and parameters; "
+                  "json: the draw's parameters; maps: a folder of textures, render and parameters; "
                   "csv: all draws after warm-up")
       ->type_name("json|maps|csv")
       ->check(CLI::IsMember({"json", "maps", "csv"}).description(""))
       ->required();
   command.add_option("--resolution", options->resolution, "Pixels a side of maps, 16 to 4096")
+      ->capture_default_str();
+  command
+      .add_option("--image", options->image, "Images of maps: png8, png16, or exr (linear, heights in cm)")
+      ->type_name("png8|png16|exr")
+      ->check(CLI::IsMember(map_format_names()).description(""))
+      ->capture_default_str();
+  command
+      .add_option("--normal", options->normal,
+                  "Normal map: opengl (green up; Blender, glTF), directx (green down; Unreal)")
+      ->type_name("opengl|directx")
+      ->check(CLI::IsMember(normal_convention_names()).description(""))
       ->capture_default_str();
   command.add_flag(
       "--tile", options->tile,

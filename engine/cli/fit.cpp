@@ -76,7 +76,7 @@ void report(const FitOptions& options, const DrawSource& run, const std::vector<
 
 int fit(const FitOptions& options) {
   const RunSettings settings = options.settings();
-  const Photo photo = load_photo(options.photo);
+  const Photo photo = load_photo(options.photo, {.crop = options.crop()});
   if (!options.quiet)
     for (const std::string& warning : photo.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   catch_interrupts();

@@ -29,6 +29,10 @@ void FitOptions::add_to(CLI::App& command) {
   parsed_.material.clear();
   command.add_option("PHOTO", photo, "Flash photo of a flat sample, seen from above")->required();
   command.add_option("--out", out, "Run directory to make")->type_name("RUN_DIR")->required();
+  command
+      .add_option("--crop", crop_,
+                  "Square of the photo to use, in its pixels from the top left (default: the central square)")
+      ->type_name("X,Y,SIDE");
   add_model(command);
   add_sampler(command);
   add_counts(command);
@@ -113,9 +117,18 @@ void FitOptions::set_start(RunSettings& settings) const {
     settings.start_at[table.discrete[i].name] = values.discrete[i];
 }
 
-RunSettings FitOptions::settings() const {
+bool FitOptions::goes_on() const {
   std::error_code ignored;
-  const bool goes_on = resume && std::filesystem::exists(manifest_file(out), ignored);
+  return resume && std::filesystem::exists(manifest_file(out), ignored);
+}
+
+std::optional<PhotoCrop> FitOptions::crop() const {
+  if (!crop_.empty()) return parse_crop(crop_);
+  return goes_on() ? read_manifest(out).crop : std::nullopt;
+}
+
+RunSettings FitOptions::settings() const {
+  const bool goes_on = this->goes_on();
   if (!goes_on) check_material_argument(parsed_.material);
   RunSettings settings = goes_on ? read_manifest(out).settings : parsed_;
   for (const auto& copy : given_) copy(settings);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,14 @@ class FitOptions {
   /// and over them what was given. @throws UserError
   RunSettings settings() const;
 
+  /// The part of the photo: the one that was given, or with --resume that of the run.
+  std::optional<PhotoCrop> crop() const;
+
   std::filesystem::path photo, out;
   bool resume = false, quiet = false, json = false;
 
  private:
+  bool goes_on() const;  ///< with a run that is there
   template <typename T>
   void add(CLI::App& command, const std::string& names, T RunSettings::*setting, const std::string& help,
            const std::string& type = {});
@@ -39,7 +44,7 @@ class FitOptions {
 
   RunSettings parsed_;
   CaptureArguments capture_;
-  std::string start_;
+  std::string start_, crop_;
   std::vector<std::string> fixed_, priors_;
   std::vector<std::function<void(RunSettings&)>> given_;  ///< each copies one setting if it was given
 };

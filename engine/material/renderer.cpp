@@ -81,6 +81,8 @@ MaterialMaps Renderer::maps(const ParameterValues& values, int resolution) const
   return parts_->maps(values, parts_->capture, resolution);
 }
 
+bool Renderer::has_tile() const { return parts_->material->tiling() != Tiling::none; }
+
 MaterialMaps Renderer::tile(const ParameterValues& values, int resolution) const {
   switch (parts_->material->tiling()) {
     case Tiling::sample:

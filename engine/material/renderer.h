@@ -25,6 +25,8 @@ class Renderer {
   /// @param resolution  pixels a side, 16 to 4096; UserError for any other
   MaterialMaps maps(const ParameterValues& values, int resolution) const;
 
+  bool has_tile() const;  ///< whether anything of the material can repeat
+
   /// Maps that continue on the opposite side of each border, so that copies of them side by side show no
   /// seam. They may show more than the sample: their capture says how many centimetres.
   /// @param resolution  as in maps(); even, and 32 at least, of a material that is book-matched (tile.h)

@@ -45,39 +45,114 @@ Heights range_of(const Image& height) {
   return {low, high};
 }
 
-void write_images(const MaterialMaps& maps, const Heights& heights, const std::filesystem::path& folder) {
-  write_image(folder / "base_color.png", transformed(maps.base_color, encode_srgb), PixelDepth::u16);
-  write_image(folder / "normal_gl.png", transformed(maps.normal, [](float n) { return 0.5f * (n + 1); }),
-              PixelDepth::u16);
-  if (!maps.lobes.empty())
-    write_image(folder / "roughness.png", roughness_image(maps.lobes.front()), PixelDepth::u16);
-  const float range = heights.high > heights.low ? heights.high - heights.low : 1;
-  write_image(folder / "height.png",
-              transformed(maps.height, [&](float h) { return (h - heights.low) / range; }), PixelDepth::u16);
+const char* extension(MapFormat format) { return format == MapFormat::exr ? ".exr" : ".png"; }
+
+const char* normal_name(NormalConvention normals) {
+  return normals == NormalConvention::opengl ? "normal_gl" : "normal_dx";
 }
 
-std::string sidecar(const ExportRequest& request, const Capture& shown, const Heights& heights) {
-  const nlohmann::ordered_json json = {
-      {"program", program_version()},
-      {"material", request.material},
-      {"z_seed", request.z_seed},
-      {"resolution", request.resolution},
-      {"size_cm", shown.size_cm},
-      {"tile", request.tile},
-      {"sample_size_cm", request.capture.size_cm},
-      {"camera_cm", request.capture.camera_cm},
-      {"height_cm", {{"black", heights.low}, {"white", heights.high}}},
-      {"normal", "OpenGL: red to the right, green up, blue out of the surface"},
-      {"color_space",
-       {{"render.png", "sRGB"},
-        {"base_color.png", "sRGB"},
-        {"normal_gl.png", "raw"},
-        {"roughness.png", "raw"},
-        {"height.png", "raw"}}}};
-  return json.dump(2) + "\n";
+PixelDepth depth_of(MapFormat format) {
+  switch (format) {
+    case MapFormat::png8:
+      return PixelDepth::u8;
+    case MapFormat::png16:
+      return PixelDepth::u16;
+    case MapFormat::exr:
+      break;
+  }
+  return PixelDepth::f16;
+}
+
+Image normal_image(const Image& normal, NormalConvention normals) {
+  Image image = transformed(normal, [](float n) { return 0.5f * (n + 1); });
+  if (normals == NormalConvention::opengl) return image;
+  for (std::size_t green = 1; green < image.pixels.size(); green += 3)
+    image.pixels[green] = 1 - image.pixels[green];
+  return image;
+}
+
+void write_images(const ExportRequest& request, const MaterialMaps& maps, const Heights& heights,
+                  const std::filesystem::path& folder) {
+  const bool exr = request.format == MapFormat::exr;
+  const auto write = [&](const std::string& name, const Image& image) {
+    // Heights in cm need more digits than a half has.
+    const PixelDepth depth = exr && name == "height" ? PixelDepth::f32 : depth_of(request.format);
+    write_image(folder / (name + extension(request.format)), image, depth);
+  };
+  write("base_color", exr ? maps.base_color : transformed(maps.base_color, encode_srgb));
+  write(normal_name(request.normals), normal_image(maps.normal, request.normals));
+  if (!maps.lobes.empty()) write("roughness", roughness_image(maps.lobes.front()));
+  const float range = heights.high > heights.low ? heights.high - heights.low : 1;
+  write("height",
+        exr ? maps.height : transformed(maps.height, [&](float h) { return (h - heights.low) / range; }));
+}
+
+using Json = nlohmann::ordered_json;
+
+Json origin_json(const DrawOrigin& origin) {
+  Json json = Json::object();
+  const auto add = [&](const char* key, const std::string& text) {
+    if (!text.empty()) json[key] = text;
+  };
+  add("photo", origin.photo);
+  add("photo_sha256", origin.photo_sha256);
+  add("run", origin.run);
+  add("draw", origin.draw);
+  return json;
+}
+
+Json height_json(MapFormat format, const Heights& heights) {
+  if (format == MapFormat::exr) return {{"unit", "cm"}, {"lowest", heights.low}, {"highest", heights.high}};
+  return {{"black", heights.low}, {"white", heights.high}};
+}
+
+std::string sidecar(const ExportRequest& request, const MaterialMaps& maps, const Heights& heights) {
+  Json spaces = Json::object();
+  for (const ExportedFile& file : exported_files(request.format, request.normals)) {
+    const bool written = !file.name.starts_with("roughness") || !maps.lobes.empty();
+    if (written && !file.color_space.empty()) spaces[file.name] = file.color_space;
+  }
+  const bool up = request.normals == NormalConvention::opengl;
+  const Json json = {{"program", program_version()},
+                     {"material", request.material},
+                     {"origin", origin_json(request.origin)},
+                     {"z_seed", request.z_seed},
+                     {"resolution", request.resolution},
+                     {"size_cm", maps.capture.size_cm},
+                     {"tile", request.tile},
+                     {"sample_size_cm", request.capture.size_cm},
+                     {"camera_cm", request.capture.camera_cm},
+                     {"height_cm", height_json(request.format, heights)},
+                     {"normal", up ? "OpenGL: red to the right, green up, blue out of the surface"
+                                   : "DirectX: red to the right, green down, blue out of the surface"},
+                     {"color_space", spaces}};
+  // A file name need not be UTF-8; the sidecar must be.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
+
+std::vector<std::string> map_format_names() { return {"png8", "png16", "exr"}; }
+
+std::vector<std::string> normal_convention_names() { return {"opengl", "directx"}; }
+
+std::vector<ExportedFile> exported_files(MapFormat format, NormalConvention normals) {
+  const bool exr = format == MapFormat::exr, up = normals == NormalConvention::opengl;
+  const std::string ending = extension(format);
+  return {
+      {"base_color" + ending, "the colour without light and shine", exr ? "linear" : "sRGB"},
+      {normal_name(normals) + ending,
+       up ? "slopes for OpenGL, Blender and glTF: green leans up"
+          : "slopes for DirectX and Unreal: green leans down",
+       "raw"},
+      {"roughness" + ending, "how blurred the shine is, 0 to 1", "raw"},
+      {"height" + ending,
+       exr ? "heights in centimetres" : "heights from black to white; maps.json says how many cm", "raw"},
+      {"render.png", "the sample as the camera would see it", "sRGB"},
+      {"params.json", "the material's parameters", ""},
+      {"maps.json", "size in centimetres, conventions, and where all this comes from", ""},
+  };
+}
 
 void export_draw(const ExportRequest& request, const std::filesystem::path& folder) {
   check_resolution(request.resolution);
@@ -86,10 +161,10 @@ void export_draw(const ExportRequest& request, const std::filesystem::path& fold
                                          : renderer.maps(request.values, request.resolution);
   make_folder(folder);
   const Heights heights = range_of(maps.height);
-  write_images(maps, heights, folder);
+  write_images(request, maps, heights, folder);
   write_image(folder / "render.png", renderer.render(request.values, request.resolution));
   write_file_atomically(folder / "params.json", params_to_json(renderer.table(), request.values));
-  write_file_atomically(folder / "maps.json", sidecar(request, maps.capture, heights));
+  write_file_atomically(folder / "maps.json", sidecar(request, maps, heights));
 }
 
 }  // namespace patina

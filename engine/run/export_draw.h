@@ -3,11 +3,31 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/material/capture.h"
 #include "engine/material/parameter.h"
 
 namespace patina {
+
+enum class MapFormat {
+  png8,  ///< small; slopes and heights show steps
+  png16,
+  exr  ///< base colour linear, heights in cm
+};
+std::vector<std::string> map_format_names();  ///< "png8", "png16", "exr"; in the order of MapFormat
+
+/// Which way green leans in a normal map.
+enum class NormalConvention { opengl, directx };  ///< up; down
+std::vector<std::string> normal_convention_names();
+
+/// Where a draw comes from, in words; what is empty is left out.
+struct DrawOrigin {
+  std::string photo;  ///< the file's name
+  std::string photo_sha256;
+  std::string run;   ///< the run directory's name
+  std::string draw;  ///< "chain 2, step 153"
+};
 
 /// One draw to take elsewhere.
 struct ExportRequest {
@@ -17,17 +37,25 @@ struct ExportRequest {
   ParameterValues values;
   int resolution = 1024;  ///< pixels a side of the maps, 16 to 4096
   bool tile = false;      ///< maps that repeat without a seam (Renderer::tile), in place of the sample's
+  MapFormat format = MapFormat::png16;
+  NormalConvention normals = NormalConvention::opengl;
+  DrawOrigin origin = {};
 };
 
-/// Writes a draw as files that any 3-D program reads, into a folder that is made if need be, each atomically:
-///   params.json      parameter names to numbers, as `patina-cli render --params` takes them
-///   render.png       the sample under the capture light, sRGB, 8 bit
-///   base_color.png   sRGB, 16 bit
-///   normal_gl.png    16 bit, (n + 1) / 2, +Y up (OpenGL and glTF convention)
-///   roughness.png    16 bit, of the first lobe, as a number (no sRGB curve)
-///   height.png       16 bit, lowest point 0 to highest point 1
-///   maps.json        the heights in cm that 0 and 1 stand for, the maps' physical size, conventions,
-///   provenance
+/// A file of an export, in an artist's words.
+struct ExportedFile {
+  std::string name;  ///< "normal_gl.png"
+  std::string description;
+  std::string color_space;  ///< "sRGB", "linear" or "raw" (numbers, not colours); empty: no image
+};
+
+/// What export_draw() writes: params.json (as `patina-cli render --params` takes it), render.png (sRGB, 8
+/// bit), base_color, normal_gl or normal_dx ((n + 1) / 2), roughness (of the first lobe; left out where there
+/// is none), height, and maps.json, which says all that the images do not: the heights in cm of black and
+/// white, the maps' physical size, conventions, origin.
+std::vector<ExportedFile> exported_files(MapFormat format, NormalConvention normals);
+
+/// Writes a draw as files that any 3-D program reads, into a folder that is made if need be, each atomically.
 /// @throws UserError for an unknown material, a resolution out of range, a tile of a material that has none,
 /// or a folder that cannot be written
 void export_draw(const ExportRequest& request, const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/io/photo.h"
 #include "engine/run/run_settings.h"
 #include "engine/run/run_status.h"
 #include "engine/run/stop_rules.h"
@@ -32,6 +33,7 @@ struct Manifest {
   std::string photo_sha256;  ///< of the file that was given
   int photo_width = 0;       ///< of that file, upright, before the crop
   int photo_height = 0;
+  std::optional<PhotoCrop> crop;  ///< of that photo; none: the central square
   std::vector<std::string> photo_warnings;
   std::string network_sha256;  ///< of the weights file in force, the bundled one included
   double gram_sigma = 0;       ///< of the error model: PosteriorSettings

@@ -189,6 +189,10 @@ Manifest manifest(const Json& json) {
   m.photo_width = integer(photo, "width", 0);
   m.photo_height = integer(photo, "height", 0);
   m.photo_warnings = texts(photo, "warnings");
+  if (photo.contains("crop")) {
+    const Json& crop = photo["crop"];
+    m.crop = {integer(crop, "x", 0), integer(crop, "y", 0), integer(crop, "side", 1)};
+  }
   m.network_sha256 = text(json, "network_sha256");
   m.gram_sigma = positive(field(json, "error_model"), "gram_sigma");
   m.mean_sigma = positive(field(json, "error_model"), "mean_sigma");

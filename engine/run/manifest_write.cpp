@@ -59,6 +59,16 @@ Json basins_json(const Manifest& m) {
   return basins;
 }
 
+/// A central crop is left out, as it was before there were others.
+Json photo_json(const Manifest& m) {
+  Json json = {{"sha256", m.photo_sha256},
+               {"width", m.photo_width},
+               {"height", m.photo_height},
+               {"warnings", m.photo_warnings}};
+  if (m.crop) json["crop"] = {{"x", m.crop->x}, {"y", m.crop->y}, {"side", m.crop->side}};
+  return json;
+}
+
 Json evidence_json(const std::optional<StopEvidence>& evidence) {
   if (!evidence) return nullptr;
   return {{"draws", evidence->draws},
@@ -76,11 +86,7 @@ std::string to_json(const Manifest& m) {
       {"program", m.program},
       {"phase", phase_word(m.phase)},
       {"reason", m.reason},
-      {"photo",
-       {{"sha256", m.photo_sha256},
-        {"width", m.photo_width},
-        {"height", m.photo_height},
-        {"warnings", m.photo_warnings}}},
+      {"photo", photo_json(m)},
       {"capture", {{"size_cm", m.settings.capture.size_cm}, {"camera_cm", m.settings.capture.camera_cm}}},
       {"material", table_json(m.table)},
       {"settings", settings_json(m.settings)},

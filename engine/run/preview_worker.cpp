@@ -17,7 +17,8 @@ namespace {
 /// Keeps the renderer of the last request, for the next one is most often of the same material.
 class CachedRenderer {
  public:
-  MaterialMaps maps(const PreviewRequest& request) {
+  void make_maps(Preview& preview) {
+    const PreviewRequest& request = preview.request;
     if (!renderer_ || request.material != material_ || request.z_seed != z_seed_ ||
         !(request.capture == capture_)) {
       renderer_.reset();
@@ -26,7 +27,9 @@ class CachedRenderer {
       z_seed_ = request.z_seed;
       capture_ = request.capture;
     }
-    return renderer_->maps(request.values, request.resolution);
+    preview.repeats = request.tile && renderer_->has_tile();
+    preview.maps = preview.repeats ? renderer_->tile(request.values, request.resolution)
+                                   : renderer_->maps(request.values, request.resolution);
   }
 
  private:
@@ -71,7 +74,7 @@ struct PreviewWorker::State {
     CachedRenderer renderer;
     while (auto preview = wait_for_request(stop)) {
       try {
-        preview->maps = renderer.maps(preview->request);
+        renderer.make_maps(*preview);
         publish(std::move(preview), {});
       } catch (const std::exception& failure) {
         publish(std::nullopt, first_line(failure.what()));

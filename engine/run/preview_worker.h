@@ -18,12 +18,14 @@ struct PreviewRequest {
   Capture capture;
   ParameterValues values;
   int resolution = 512;
+  bool tile = false;  ///< maps that repeat without a seam, of a material that has them
 };
 
 struct Preview {
   std::uint64_t ticket = 0;  ///< of the request it answers
   PreviewRequest request;
   MaterialMaps maps;
+  bool repeats = false;  ///< the maps are such a tile
 };
 
 /// Makes maps on a thread of its own; the newest request wins, older ones not yet begun are dropped.

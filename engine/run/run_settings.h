@@ -48,6 +48,8 @@ struct RunSettings {
   StopRules stop = {.minutes = 9, .ess = 400, .rhat = 1.01};
   std::map<std::string, double> fixed;
   std::map<std::string, TruncatedNormal> priors;
+
+  bool operator==(const RunSettings&) const = default;
 };
 
 }  // namespace patina

@@ -38,6 +38,7 @@ Manifest first_manifest(const RunSettings& settings, const Photo& photo, const P
   manifest.photo_sha256 = photo.sha256;
   manifest.photo_width = photo.original_width;
   manifest.photo_height = photo.original_height;
+  if (photo.crop != central_crop(photo.original_width, photo.original_height)) manifest.crop = photo.crop;
   manifest.photo_warnings = photo.warnings;
   manifest.network_sha256 = network_checksum(settings.network);
   const PosteriorSettings posterior;

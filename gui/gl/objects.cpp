@@ -67,4 +67,13 @@ void Framebuffer::bind() const {
   gl.Disable(GL_SCISSOR_TEST);
 }
 
+Image Framebuffer::read_rgb() const {
+  const Image rgba = read();
+  Image rgb(rgba.width, rgba.height, 3);
+  for (std::size_t i = 0, n = rgb.pixels.size() / 3; i < n; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) rgb.pixels[3 * i + c] = rgba.pixels[4 * i + c];
+  }
+  return rgb;
+}
+
 }  // namespace patina

@@ -60,6 +60,10 @@ class Texture {
   void bind(int unit) const;
   void generate_mipmaps() const;  ///< after its contents changed, if its filter is mipmapped
 
+  /// Looked up between its pixels and beyond its edges from now on, reduced where it is far away.
+  /// @param wrap  GL_REPEAT or GL_MIRRORED_REPEAT
+  void filter_beyond_edges(GLint wrap) const;
+
   /// Replaces the contents of a texture made by floats(); same size and channels.
   void update(const Image& image) const;
   /// Replaces a part of a texture made by rgba8(). @param bytes  width * height * 4
@@ -113,6 +117,7 @@ class Framebuffer {
 
   void bind() const;  ///< draw here, all of it: sets the viewport, scissor off
   Image read() const { return texture_.read(); }
+  Image read_rgb() const;  ///< without its opacity
 
  private:
   Texture texture_;

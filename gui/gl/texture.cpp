@@ -104,6 +104,14 @@ void Texture::generate_mipmaps() const {
   gl().GenerateMipmap(GL_TEXTURE_2D);
 }
 
+void Texture::filter_beyond_edges(GLint wrap) const {
+  generate_mipmaps();
+  gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+}
+
 void Texture::update(const Image& image) const {
   assert(image.width == width_ && image.height == height_);
   bind(0);

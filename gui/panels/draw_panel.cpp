@@ -50,18 +50,7 @@ void draw_walk(const PanelContext& context, const ShownDraw& shown) {
 
 }  // namespace
 
-void DrawPanel::draw_export(const PanelContext& context, const std::function<void()>& ask_to_export) {
-  const float combo = 5.6f * ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
-  align_right(combo + gap + button_width("Export..."));
-  ImGui::SetNextItemWidth(combo);
-  draw_resolution_choice("##maps", {512, 1024, 2048, 4096}, export_resolution_);
-  tooltip("How large the exported maps are");
-  ImGui::SameLine();
-  if (ImGui::Button("Export...")) context.commands.push_back(ask_to_export);
-  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
-}
-
-void DrawPanel::draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
+void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
                      const std::string& export_note, const std::function<void()>& ask_to_export) {
   const PanelScope panel((shown_draw_title(shown) + "###draw").c_str(), rect, context,
                          ImGuiWindowFlags_NoScrollbar);
@@ -70,7 +59,9 @@ void DrawPanel::draw(const PanelContext& context, const Rect& rect, const ShownD
   const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
   draw_walk(context, shown);
-  draw_export(context, ask_to_export);
+  align_right(button_width("Export..."));
+  if (ImGui::Button("Export...")) context.commands.push_back(ask_to_export);
+  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
 }
 
 }  // namespace patina

@@ -23,7 +23,7 @@ void ErrorBanner::draw(const PanelContext& context, ImVec2 window_size) {
   const float width = std::min(52 * em, window_size.x - 2 * em);
   ImGui::SetNextWindowPos({0.5f * window_size.x, window_size.y - em}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(52, 47, 44, 255));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kBanner);
   ImGui::Begin("##banner", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);

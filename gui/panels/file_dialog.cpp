@@ -86,9 +86,8 @@ void FileDialog::draw_path() {
   }
 }
 
-void FileDialog::draw_entries() {
+void FileDialog::draw_entries(float below) {
   const float em = ImGui::GetFontSize();
-  const float below = 2 * ImGui::GetFrameHeightWithSpacing();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kWell);
   ImGui::BeginChild("entries", {0, -below}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleColor();
@@ -118,7 +117,7 @@ void FileDialog::draw_buttons() {
   if (primary_button(go)) accept_typed();
 }
 
-std::optional<fs::path> FileDialog::draw(const PanelContext& context) {
+std::optional<fs::path> FileDialog::draw(const PanelContext& context, ExportForm& form) {
   if (visible_ && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
@@ -131,7 +130,9 @@ std::optional<fs::path> FileDialog::draw(const PanelContext& context) {
   }
   heading_text(context, purpose_ == Purpose::open ? "Open a photo or a run" : "Export the draw");
   draw_path();
-  draw_entries();
+  const bool exports = purpose_ == Purpose::export_folder;
+  draw_entries(2 * ImGui::GetFrameHeightWithSpacing() + (exports ? form.height() : 0));
+  if (exports) form.draw();
   draw_buttons();
   if (chosen_) visible_ = false;
   if (!visible_) ImGui::CloseCurrentPopup();

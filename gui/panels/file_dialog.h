@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gui/directory_listing.h"
+#include "gui/panels/export_form.h"
 #include "gui/panels/panel.h"
 
 namespace patina {
@@ -21,15 +22,16 @@ class FileDialog {
   void close() { visible_ = false; }
   Purpose purpose() const { return purpose_; }
   const std::filesystem::path& folder() const { return folder_; }  ///< the one last looked at
+  void start_in(const std::filesystem::path& folder) { folder_ = folder; }
 
-  /// Draws it if visible. @return the path that was chosen, once: a photo or a run; or the folder to export
-  /// to
-  std::optional<std::filesystem::path> draw(const PanelContext& context);
+  /// Draws it if visible, with the form below the folders where it asks for one to export to.
+  /// @return the path that was chosen, once: a photo or a run; or the folder to export to
+  std::optional<std::filesystem::path> draw(const PanelContext& context, ExportForm& form);
 
  private:
   void enter(const std::filesystem::path& folder);
   void draw_path();
-  void draw_entries();
+  void draw_entries(float below);
   void draw_buttons();
   void accept_typed();
   void accept(const DirectoryEntry& entry);

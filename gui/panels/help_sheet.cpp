@@ -1,6 +1,8 @@
 #include "gui/panels/help_sheet.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "gui/theme.h"
@@ -10,25 +12,17 @@ namespace {
 
 using Line = std::pair<const char*, const char*>;
 
-constexpr std::array<Line, 18> kKeys{
+constexpr std::array<Line, 10> kMouse{
     {{"Drop a file", "Open a photo, or a run's directory"},
-     {"Ctrl+O", "Open a photo or a run"},
-     {"Space", "Pause or resume the run"},
-     {"Left, right", "Next better, next less likely draw"},
-     {"Esc", "Let go of the marked draws, then of the selected one; dismiss a message"},
-     {"Ctrl+Z, Ctrl+Y", "Undo, redo"},
-     {"Ctrl+E", "Export the draw that is shown"},
-     {"S", "Star the draw that is shown, or take its star away"},
-     {"P, A, T, G", "One plot, all pairs, trace, gallery"},
-     {"B, L", "Mark draws by dragging a box, or a line around them"},
-     {"K", "Contours around half of the draws, and nine in ten"},
-     {"M", "What the marked draws range over"},
-     {"?", "This sheet"},
      {"Click in the plot", "Select the nearest draw; its render appears"},
      {"Drag in the plot", "Mark draws in every plot; Shift adds, Ctrl takes away"},
      {"Wheel, right drag", "Zoom and move the plot"},
      {"Double click", "Show all draws again"},
-     {"Drag in the render", "Wipe between photo and render"}}};
+     {"Drag on the photo", "Choose the square that is compared with the renders"},
+     {"Drag on the render", "Wipe between photo and render"},
+     {"On a lit shape", "The lamp follows the mouse; a right drag turns it, the wheel comes nearer"},
+     {"Click a lock", "Hold a parameter at its value in the next run"},
+     {"Click a curve", "Change what is assumed of a parameter"}}};
 
 constexpr std::array<Line, 6> kWords{
     {{"Draw", "One material that could have made the photo. Many draws show what the photo leaves open."},
@@ -43,8 +37,8 @@ constexpr std::array<Line, 6> kWords{
 template <std::size_t n>
 void draw_lines(const char* name, const std::array<Line, n>& lines) {
   if (!ImGui::BeginTable(name, 2)) return;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 10 * ImGui::GetFontSize());
-  ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 28 * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 9 * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthStretch);
   for (const auto& [what, does] : lines) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(what);
@@ -54,22 +48,48 @@ void draw_lines(const char* name, const std::array<Line, n>& lines) {
   ImGui::EndTable();
 }
 
+/// Every action that has a key, in the order of the list.
+void draw_keys(const PanelContext& context, const std::vector<Action>& actions) {
+  std::string group;
+  for (const Action& action : actions) {
+    if (action.shortcuts.empty()) continue;
+    if (group != action.group) {
+      if (!group.empty()) ImGui::Spacing();
+      group = action.group;
+      heading_text(context, group);
+    }
+    ImGui::TextUnformatted(shortcut_text(action).c_str());
+    ImGui::SameLine(10.5f * ImGui::GetFontSize());
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
+    ImGui::TextUnformatted(action.name.c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
 }  // namespace
 
-void draw_help_sheet(const PanelContext& context, bool& open) {
+void draw_help_sheet(const PanelContext& context, const std::vector<Action>& actions, bool& open) {
   constexpr const char* kName = "Help##sheet";
   if (open && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal(kName, nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
+  ImGui::SetNextWindowSize({std::min(74 * em, display.x - 2 * em), std::min(50 * em, display.y - 2 * em)});
+  if (!ImGui::BeginPopupModal(
+          kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
     return;
-  heading_text(context, "Mouse and keys");
-  draw_lines("keys", kKeys);
+  const float below = ImGui::GetFrameHeightWithSpacing(), half = 0.5f * ImGui::GetContentRegionAvail().x;
+  ImGui::BeginChild("keys", {half, -below});
+  draw_keys(context, actions);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("mouse and words", {0, -below});
+  heading_text(context, "Mouse");
+  draw_lines("mouse", kMouse);
   ImGui::Spacing();
   heading_text(context, "Words");
   draw_lines("words", kWords);
-  ImGui::Spacing();
+  ImGui::EndChild();
   if (ImGui::Button("Close")) open = false;
   if (!open) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gui/panels/panel.h"
+#include "gui/panels/parameter_table.h"
 #include "gui/shown_draw.h"
 
 namespace patina {
@@ -13,12 +14,14 @@ class MaterialPanel {
  public:
   MaterialPanel();
   void draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown);
+  const ParameterTableView& table() const { return table_; }
 
  private:
   void draw_choices(const PanelContext& context);
   void draw_start(const PanelContext& context);
 
   std::vector<std::string> materials_;
+  ParameterTableView table_;
 };
 
 }  // namespace patina

@@ -79,9 +79,9 @@ void tooltip(const std::string& text) {
 
 bool primary_button(const char* label, ImVec2 size) {
   ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(108, 204, 180, 255));
-  ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(70, 160, 138, 255));
-  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(16, 24, 22, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::kAccentHovered);
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::kAccentActive);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnAccent);
   const bool pressed = ImGui::Button(label, size);
   ImGui::PopStyleColor(4);
   return pressed;

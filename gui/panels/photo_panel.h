@@ -3,28 +3,52 @@
 #include <functional>
 #include <optional>
 
+#include "gui/crop_drag.h"
 #include "gui/gl/objects.h"
 #include "gui/panels/panel.h"
 
 namespace patina {
 
-/// The photo, as the run sees it: its central square.
+/// The photo with the square that is compared with the renders, which can be dragged; its field of view, and
+/// what is clipped in it.
 class PhotoPanel {
  public:
   explicit PhotoPanel(const Gl& gl) : gl_(gl) {}
 
   /// @param ask_to_open  carried out as a command where the user asks for another photo
-  void draw(const PanelContext& context, const Rect& rect, const std::function<void()>& ask_to_open);
+  /// @param loading      another photo, or another part of it, is being read
+  void draw(const PanelContext& context, const Rect& rect, bool loading,
+            const std::function<void()>& ask_to_open);
 
-  const Texture* picture() const { return picture_ ? &*picture_ : nullptr; }
+  /// What renders are compared with: the run's photo, or without a run the chosen square. Null: none yet.
+  const Texture* compared(const Session& session);
+
+  void show_clipped(bool shown) { shows_clipped_ = shown; }
+  bool shows_clipped() const { return shows_clipped_; }
+
+  /// Where the photo was in the last frame.
+  const Rect& place() const { return place_; }
 
  private:
+  void follow(const Session& session);
   void draw_invitation(const PanelContext& context, const Rect& room,
                        const std::function<void()>& ask_to_open);
+  void draw_controls(const PanelContext& context);
+  void draw_picture(const PanelContext& context, const Rect& room);
+  void draw_square(const PhotoCrop& crop, float scale) const;
+  void handle_drag(const PanelContext& context, float scale);
 
   const Gl& gl_;
-  std::optional<Texture> picture_;
-  int version_ = 0;  ///< of the photo in picture_
+  std::optional<Texture> picture_;  ///< the whole photo, or the square where there is nothing else
+  std::optional<Texture> clipped_;  ///< an overlay of the same size
+  std::optional<Texture> compared_;
+  int version_ = 0;                             ///< of the photo in picture_
+  std::pair<int, int> compared_version_{0, 0};  ///< run and photo
+  double clipped_share_ = 0;                    ///< of the picture's pixels
+  bool shows_clipped_ = false;
+  Rect place_;
+  CropHandle handle_ = CropHandle::none;  ///< while it is dragged
+  PhotoCrop start_, dragged_;
 };
 
 }  // namespace patina

@@ -55,16 +55,15 @@ void draw_plot_ground(const PlotView& view, const ParameterTable& table, const P
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float right = view.left + view.width, bottom = view.top + view.height;
   list.AddRectFilled({view.left, view.top}, {right, bottom}, theme::kWell);
-  constexpr ImU32 kGrid = IM_COL32(255, 255, 255, 16);
   for (const double tick : x_ticks(view, x)) {
     if (tick_label(table, x, tick).empty()) continue;
     const float at = std::floor(view.pixel_of_x(tick));
-    list.AddRectFilled({at, view.top}, {at + 1, bottom}, kGrid);
+    list.AddRectFilled({at, view.top}, {at + 1, bottom}, theme::kGrid);
   }
   for (const double tick : y_ticks(view, y)) {
     if (tick_label(table, y, tick).empty()) continue;
     const float at = std::floor(view.pixel_of_y(tick));
-    list.AddRectFilled({view.left, at}, {right, at + 1}, kGrid);
+    list.AddRectFilled({view.left, at}, {right, at + 1}, theme::kGrid);
   }
 }
 

@@ -145,17 +145,4 @@ void ScatterPanel::draw_tools(ExplorerModel& model) {
   tooltip("What the plot shows across");
 }
 
-void ScatterPanel::handle_keys(ExplorerModel& model) {
-  if (ImGui::GetIO().KeyCtrl) return;
-  const auto pressed = [](char key) { return ImGui::IsKeyPressed(key, false); };
-  if (pressed('P')) show_ = Show::plot;
-  if (pressed('A')) show_ = Show::pairs;
-  if (pressed('T')) show_ = Show::trace;
-  if (pressed('G')) show_ = Show::gallery;
-  if (pressed('B')) tool_ = MarkingTool::box;
-  if (pressed('L')) tool_ = MarkingTool::lasso;
-  if (pressed('K')) model.show_contours(!model.shows_contours());
-  if (pressed('M')) marked_.show_ranges();
-}
-
 }  // namespace patina

@@ -24,10 +24,10 @@ class ScatterPanel {
         gallery_(thumbnails_, wake) {}
   void draw(const PanelContext& context, const Rect& rect, const GalleryActions& actions);
 
-  /// Answers this frame's keys, where no text is being typed.
-  void handle_keys(ExplorerModel& model);
-
   Show shown() const { return show_; }
+  void show(Show what) { show_ = what; }
+  void take(MarkingTool tool) { tool_ = tool; }  ///< to mark draws with
+  void show_marked_ranges() { marked_.show_ranges(); }
   bool busy() const { return show_ == Show::pairs && matrix_.busy(); }  ///< another frame should follow
 
   /// Where the plot of two parameters was in the last frame, and what it showed.

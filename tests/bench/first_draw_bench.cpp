@@ -40,7 +40,7 @@ void run(const std::filesystem::path& photo, const std::string& material) {
   const TemporaryFolder folder;
   const auto window = OffscreenWindow::make(1280, 800);
   App app(*window, {}, folder.path() / "runs");
-  app.session().set_material(material);
+  app.session().choices().set_material(material);
   app.load(photo);
   app.session().start();
   const ExplorerModel& model = app.session().model();

@@ -54,6 +54,20 @@ TEST_F(Resume, AFinishedFitGoesOnForMoreDrawsAsIfTheyHadBeenAskedForAtFirst) {
   EXPECT_EQ(chains("grown"), chains("at once"));
 }
 
+TEST_F(Resume, ACroppedFitGoesOnWithItsCropWhichAnUncroppedOneMustNotHave) {
+  const std::string photo = this->photo();
+  output(with(small_fit(photo, "cropped"), {"--crop", "3,7,40"}));
+  const nlohmann::json crop = nlohmann::json::parse(slurp(folder_ / "cropped" / "run.json"))["photo"]["crop"];
+  EXPECT_EQ(crop, (nlohmann::json{{"x", 3}, {"y", 7}, {"side", 40}}));
+  const std::vector<std::string> more{"fit", photo, "--out", path("cropped"), "--resume", "--draws", "50"};
+  EXPECT_EQ(json(with(more, {"--json"}))["summary"]["draws"], 100);
+  const Finished other = run(with(more, {"--crop", "4,7,40"}));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("photo/crop/x"), std::string::npos) << other.err;
+  EXPECT_EQ(run(with(small_fit(photo, "bad"), {"--crop", "3,7"})).status, 2);
+  EXPECT_EQ(run(with(small_fit(photo, "bad"), {"--crop", "20,7,40"})).status, 2);
+}
+
 TEST_F(Resume, WithAnotherSettingPhotoOrFewerDrawsIsRefusedAndChangesNothing) {
   const std::string photo = this->photo();
   output(small_fit(photo, "run"));

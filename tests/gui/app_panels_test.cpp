@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "engine/io/file.h"
 #include "gui/layout.h"
 #include "tests/gui/app_fixture.h"
 
@@ -29,7 +30,9 @@ class AppPanels : public AppTest {
   }
   void drop(const std::filesystem::path& file) {
     window_->drop_files({file});
-    frames(3);
+    answer_input();
+    ASSERT_TRUE(frames_until([&] { return !app_.loading(); }));
+    frames(2);
   }
 };
 
@@ -105,7 +108,7 @@ TEST_F(AppPanels, APathTypedIntoTheFileDialogIsOpened) {
   EXPECT_EQ(app_.dialog().folder(), folder_.path()) << "a folder is entered";
   type("oak.png");
   EXPECT_FALSE(app_.dialog().visible());
-  EXPECT_TRUE(app_.session().has_photo());
+  EXPECT_TRUE(frames_until([&] { return app_.session().has_photo(); }));
 }
 
 TEST_F(AppPanels, ExportWritesTheSelectedDrawsFiles) {
@@ -122,6 +125,9 @@ TEST_F(AppPanels, ExportWritesTheSelectedDrawsFiles) {
        {"params.json", "render.png", "base_color.png", "normal_gl.png", "roughness.png", "height.png"}) {
     EXPECT_TRUE(std::filesystem::exists(target / name)) << name;
   }
+  const std::string sidecar = read_file(target / "maps.json");
+  EXPECT_NE(sidecar.find("oak.png"), std::string::npos) << sidecar;
+  EXPECT_NE(sidecar.find("chain 1, step 1"), std::string::npos) << sidecar;
 }
 
 TEST_F(AppPanels, AnExportThatFailsSaysSo) {

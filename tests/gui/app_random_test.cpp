@@ -48,10 +48,14 @@ class AppRandomInput : public AppTest {
   void expect_sound() const {
     const ExplorerModel& model = app_.session().model();
     const std::size_t size = model.draws().size();
-    if (model.selected()) EXPECT_LT(*model.selected(), size);
+    if (model.selected()) {
+      EXPECT_LT(*model.selected(), size);
+    }
     EXPECT_LE(model.marked().size(), size);
     for (const Star& star : model.stars()) {
-      if (const auto draw = model.draw_of(star)) EXPECT_LT(*draw, size);
+      if (const auto draw = model.draw_of(star)) {
+        EXPECT_LT(*draw, size);
+      }
     }
   }
 

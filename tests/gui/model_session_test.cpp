@@ -69,7 +69,7 @@ TEST_F(SessionTest, NeedsAPhotoToStart) {
 
 TEST_F(SessionTest, StartsARunOfTheChosenMaterialInADirectoryNamedAfterThePhoto) {
   session_.open(photo_);
-  session_.set_material("leather");
+  session_.choices().set_material("leather");
   session_.start();
   EXPECT_EQ(started_.material, "leather");
   const auto directory = session_.run().directory();
@@ -122,7 +122,7 @@ TEST_F(SessionTest, KeepsEverythingWhenSomethingCannotBeOpenedOrStarted) {
   refuse_ = true;
   EXPECT_THROW(session_.open(folder_.path() / "notes.txt"), UserError);
   EXPECT_THROW(session_.open(folder_.path()), UserError);
-  EXPECT_THROW(session_.set_material("unobtainium"), UserError);
+  EXPECT_THROW(session_.choices().set_material("unobtainium"), UserError);
   EXPECT_THROW(session_.start(), UserError);
   EXPECT_EQ(&session_.run(), run);
   EXPECT_EQ(session_.model().draws().size(), 1u);
@@ -140,7 +140,7 @@ TEST_F(SessionTest, OpensARunDirectoryWithItsPhoto) {
 
 TEST_F(SessionTest, ResizingTheSampleKeepsTheFieldOfView) {
   const Capture before = session_.settings().capture;
-  session_.set_size_cm(10);
+  session_.choices().set_size_cm(10);
   EXPECT_EQ(session_.settings().capture.size_cm, 10);
   EXPECT_DOUBLE_EQ(session_.settings().capture.camera_cm / 10, before.camera_cm / before.size_cm);
 }

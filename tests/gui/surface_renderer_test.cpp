@@ -5,27 +5,14 @@
 
 #include "gl_fixture.h"
 #include "gui/gl/surface_renderer.h"
+#include "tests/gui/flat_maps.h"
 
 namespace patina {
 namespace {
 
-Image filled(int n, std::initializer_list<float> value) {
-  Image image(n, n, static_cast<int>(value.size()));
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = value.begin()[i % value.size()];
-  return image;
-}
-
-/// A flat surface of one colour and one lobe.
-MaterialMaps flat_maps(int n) {
-  MaterialMaps maps;
-  maps.base_color = filled(n, {0.3f, 0.2f, 0.1f});
-  maps.height = filled(n, {0});
-  maps.normal = filled(n, {0, 0, 1});
-  maps.lobes.push_back({maps.normal, filled(n, {0.4f, 0.4f}), {0.04f, 0.05f, 0.06f}});
-  maps.light = 800;
-  maps.vignette_sigma = 12;
-  return maps;
-}
+using testing::filled;
+using testing::flat_maps;
+using testing::srgb;
 
 /// The radiance of a flat surface at a pixel's centre, in double.
 std::array<double, 3> flat_radiance(const MaterialMaps& maps, int row, int column) {
@@ -48,11 +35,6 @@ std::array<double, 3> flat_radiance(const MaterialMaps& maps, int row, int colum
     radiance[k] = maps.light * vignette * c / d2 * f;
   }
   return radiance;
-}
-
-double srgb(double v) {
-  v = std::clamp(v, 0.0, 1.0);
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
 double gamma22(double v) { return std::pow(std::clamp(v, 0.0, 1.0), 1 / 2.2); }

@@ -1,10 +1,12 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/photo.h"
-#include "tests/io/images.h"
 #include "tests/io/folder_test.h"
+#include "tests/io/images.h"
 
 namespace patina {
 namespace {
@@ -46,6 +48,65 @@ TEST_F(PhotoGeometry, AllEightOrientationsAreUndone) {
       EXPECT_LT(max_difference(photo.image, expected), extension == std::string(".tif") ? kEightBit : 0.03f);
       EXPECT_TRUE(photo.warnings.empty());
     }
+}
+
+TEST_F(PhotoGeometry, ACropIsOfTheUprightPhotoWhateverTheOrientation) {
+  const Image stored = ramps(64, 48, 3);
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    SCOPED_TRACE(orientation);
+    const auto path = folder_ / ("c" + std::to_string(orientation) + ".tif");
+    write_test_image(path, stored,
+                     {.adjust = [&](OIIO::ImageSpec& spec) { spec.attribute("Orientation", orientation); }});
+    const PhotoCrop wanted{9, 3, 35};
+    const Photo photo = load_photo(path, {.crop = wanted});
+    EXPECT_EQ(photo.crop, wanted);
+    EXPECT_LT(max_difference(photo.image, crop(upright(stored, orientation), 9, 3, 35)), kEightBit);
+  }
+}
+
+TEST_F(PhotoGeometry, ACropOutsideThePhotoOrTooSmallIsRefused) {
+  write_test_image(folder_ / "a.png", ramps(64, 48, 3));
+  for (const PhotoCrop& bad : {PhotoCrop{-1, 0, 40},
+                               {0, -1, 40},
+                               {25, 0, 40},
+                               {0, 9, 40},
+                               {0, 0, 31},
+                               {0, 0, 49},
+                               {2'000'000'000, 0, 2'000'000'000}}) {
+    EXPECT_THROW(load_photo(folder_ / "a.png", {.crop = bad}), UserError) << bad.x << "," << bad.y;
+  }
+  EXPECT_NO_THROW(load_photo(folder_ / "a.png", {.crop = PhotoCrop{24, 8, 40}}));
+}
+
+TEST_F(PhotoGeometry, WithoutACropTheCentralOneIsTakenAndNamed) {
+  write_test_image(folder_ / "a.png", ramps(64, 48, 3));
+  const Photo central = load_photo(folder_ / "a.png");
+  EXPECT_EQ(central.crop, (PhotoCrop{8, 0, 48}));
+  EXPECT_EQ(max_difference(central.image, load_photo(folder_ / "a.png", {.crop = central.crop}).image), 0);
+}
+
+TEST_F(PhotoGeometry, TheWholePhotoComesReducedAndUprightWhereItIsAskedFor) {
+  const Image stored = ramps(120, 60, 3);
+  write_test_image(folder_ / "a.tif", stored,
+                   {.adjust = [](OIIO::ImageSpec& spec) { spec.attribute("Orientation", 6); }});
+  EXPECT_TRUE(load_photo(folder_ / "a.tif").whole.empty());
+  EXPECT_LT(max_difference(load_photo(folder_ / "a.tif", {.whole_side = 500}).whole, upright(stored, 6)),
+            kEightBit);
+  const Image reduced = load_photo(folder_ / "a.tif", {.whole_side = 60}).whole;
+  EXPECT_EQ(reduced.width, 30);
+  EXPECT_EQ(reduced.height, 60);
+}
+
+TEST_F(PhotoGeometry, TheFocalLengthIsReadFromExifInPixelsOfTheWholePhoto) {
+  write_test_image(folder_ / "plain.jpg", ramps(64, 48, 3));
+  EXPECT_FALSE(load_photo(folder_ / "plain.jpg").focal_pixels);
+  write_test_image(folder_ / "phone.jpg", ramps(64, 48, 3), {.adjust = [](OIIO::ImageSpec& spec) {
+                     spec.attribute("Exif:FocalLengthIn35mmFilm", OIIO::TypeDesc::UINT16,
+                                    std::array<unsigned short, 1>{26}.data());
+                   }});
+  const Photo photo = load_photo(folder_ / "phone.jpg");
+  ASSERT_TRUE(photo.focal_pixels);
+  EXPECT_NEAR(*photo.focal_pixels, 26 * 80 / std::hypot(36, 24), 1e-9);
 }
 
 TEST_F(PhotoGeometry, AnUnknownOrientationIsTakenAsUpright) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/io/image_file.h"
 #include "engine/io/params_json.h"
@@ -98,6 +99,58 @@ TEST_F(ExportDrawTest, ATileIsTheMapsThatRepeatAndTheSidecarSaysHowLargeTheyAre)
   EXPECT_NEAR(sidecar["size_cm"], 10 / scale, 1e-9);
   EXPECT_EQ(sidecar["sample_size_cm"], 10.0);
   EXPECT_EQ(sidecar["tile"], true);
+}
+
+TEST_F(ExportDrawTest, WritesExactlyTheFilesThatItNames) {
+  for (const MapFormat format : {MapFormat::png8, MapFormat::png16, MapFormat::exr})
+    for (const NormalConvention normals : {NormalConvention::opengl, NormalConvention::directx}) {
+      request_.format = format;
+      request_.normals = normals;
+      std::filesystem::remove_all(out());
+      export_draw(request_, out());
+      std::set<std::string> named, written;
+      for (const ExportedFile& file : exported_files(format, normals)) named.insert(file.name);
+      for (const auto& entry : std::filesystem::directory_iterator(out()))
+        written.insert(entry.path().filename());
+      EXPECT_EQ(written, named);
+      const auto spaces = nlohmann::json::parse(slurp(out() / "maps.json"))["color_space"];
+      EXPECT_EQ(spaces.size(), named.size() - 2) << "all but the two texts";
+    }
+}
+
+TEST_F(ExportDrawTest, OpenExrHoldsLinearColoursAndHeightsInCentimetres) {
+  request_.format = MapFormat::exr;
+  export_draw(request_, out());
+  const MaterialMaps maps = renderer_.maps(request_.values, 64);
+  const Image color = read("base_color.exr"), height = read("height.exr");
+  for (int row = 0; row < 64; row += 7)
+    for (int column = 0; column < 64; ++column) {
+      const float wanted = maps.base_color.at(row, column, 1);
+      ASSERT_NEAR(color.at(row, column, 1), wanted, 1e-3 * wanted);
+      ASSERT_EQ(height.at(row, column, 0), maps.height.at(row, column, 0));
+    }
+}
+
+TEST_F(ExportDrawTest, DirectXNormalsAreOpenGlsWithGreenTurnedOver) {
+  request_.values.continuous[9] = 0.025;
+  export_draw(request_, out());
+  request_.normals = NormalConvention::directx;
+  export_draw(request_, out());
+  const Image gl = read("normal_gl.png"), dx = read("normal_dx.png");
+  for (int row = 0; row < 64; ++row)
+    for (int column = 0; column < 64; ++column) {
+      ASSERT_EQ(gl.at(row, column, 0), dx.at(row, column, 0));
+      ASSERT_NEAR(gl.at(row, column, 1) + dx.at(row, column, 1), 1, 2e-5);
+      ASSERT_EQ(gl.at(row, column, 2), dx.at(row, column, 2));
+    }
+}
+
+TEST_F(ExportDrawTest, TheSidecarSaysWhereTheDrawComesFrom) {
+  request_.origin = {"oak.jpg", "0123", "", "chain 2, step 153"};
+  export_draw(request_, out());
+  const auto sidecar = nlohmann::json::parse(slurp(out() / "maps.json"));
+  EXPECT_EQ(sidecar["origin"],
+            (nlohmann::json{{"photo", "oak.jpg"}, {"photo_sha256", "0123"}, {"draw", "chain 2, step 153"}}));
 }
 
 TEST_F(ExportDrawTest, RefusesWhatCannotBe) {

@@ -1,0 +1,93 @@
+#include "tests/gui/app_fixture.h"
+
+namespace patina::testing {
+namespace {
+
+class AppMaterial : public AppTest {
+ protected:
+  std::size_t row(const char* name) const { return *table_.find_continuous(name); }
+  const ParameterTableView::RowPlace& place(const char* name) const {
+    return app_.material().table().places()[row(name)];
+  }
+  const RunChoices& choices() const { return app_.session().choices(); }
+  void press(int key, ImGuiKeyModFlags modifiers) {
+    window_->hold_modifiers(modifiers);
+    window_->tap_key(key);
+    window_->hold_modifiers(ImGuiKeyModFlags_None);
+    answer_input();
+  }
+};
+
+TEST_F(AppMaterial, AClickOnALockHoldsTheParameterAtTheShownValue) {
+  start_run_of({draw(0.25, 0.5, -3), draw(0.55, 0.8, -1)});
+  app_.session().model().select(0);
+  frames(2);
+  click(place("rough").lock);
+  ASSERT_TRUE(choices().locked("rough"));
+  EXPECT_EQ(choices().settings().fixed.at("rough"), 0.25);
+  EXPECT_TRUE(app_.session().choices_wait()) << "the run that is open goes on without the lock";
+  EXPECT_TRUE(app_.session().run().settings().fixed.empty());
+  press('Z', ImGuiKeyModFlags_Ctrl);
+  EXPECT_FALSE(choices().locked("rough"));
+  press('Z', ImGuiKeyModFlags_Ctrl | ImGuiKeyModFlags_Shift);
+  EXPECT_TRUE(choices().locked("rough"));
+  click(place("rough").lock);
+  EXPECT_FALSE(choices().locked("rough"));
+}
+
+TEST_F(AppMaterial, TheNextRunIsMadeWithLocksAndPriors) {
+  start_run_of({draw(0.25, 0.5, -3)});
+  click(place("rough").lock);
+  app_.session().choices().set_prior("light", {1000, 50, 0, 2000}, true);
+  app_.session().start();
+  EXPECT_EQ(app_.session().run().settings().fixed.at("rough"), 0.25);
+  EXPECT_EQ(app_.session().run().settings().priors.at("light").mean, 1000);
+  EXPECT_FALSE(app_.session().choices_wait());
+}
+
+TEST_F(AppMaterial, DraggingInThePriorsWindowIsOneStepBack) {
+  app_.load(photo_);
+  frames(2);
+  const ImVec2 at = place("rough").curve;
+  click(at);
+  const TruncatedNormal before = choices().table().continuous[row("rough")].prior;
+  const Rect fields = app_.material().table().editor().fields();
+  const ImVec2 field{fields.position.x + 0.7f * fields.size.x, fields.position.y + 0.12f * fields.size.y};
+  window_->drag(field.x, field.y, field.x + 60, field.y);
+  answer_input();
+  const TruncatedNormal after = choices().table().continuous[row("rough")].prior;
+  EXPECT_GT(after.mean, before.mean);
+  EXPECT_EQ(after.sd, before.sd);
+  press(ImGui::GetKeyIndex(ImGuiKey_Escape), ImGuiKeyModFlags_None);
+  app_.session().choices().undo();
+  EXPECT_EQ(choices().table().continuous[row("rough")].prior, before);
+  EXPECT_FALSE(choices().can_undo());
+}
+
+TEST_F(AppMaterial, TheBarsFollowTheDraws) {
+  start_run_of({draw(0.25, 0.5, -3)});
+  frames(2);
+  const Image before = window_->screenshot();
+  std::vector<Draw> draws(500, draw(0.5, 0.5, -3));
+  run_->feed(draws);
+  frames(3);
+  const ImVec2 at = place("rough").curve;
+  const Image after = window_->screenshot();
+  double change = 0;
+  for (int x = static_cast<int>(at.x) - 25; x < static_cast<int>(at.x) + 25; ++x)
+    for (int y = static_cast<int>(at.y) - 5; y < static_cast<int>(at.y) + 5; ++y)
+      change += std::abs(before.at(y, x, 1) - after.at(y, x, 1));
+  EXPECT_GT(change, 2);
+}
+
+TEST_F(AppMaterial, AnotherMaterialShowsItsParametersAndTheRunsDrawsStay) {
+  start_run_of({draw(0.25, 0.5, -3)});
+  app_.session().choices().set_material("leather");
+  frames(3);
+  const ParameterTable& leather = choices().table();
+  EXPECT_EQ(app_.material().table().places().size(), leather.continuous.size() + leather.discrete.size());
+  EXPECT_EQ(app_.session().model().draws().size(), 1u);
+}
+
+}  // namespace
+}  // namespace patina::testing
