@@ -68,11 +68,11 @@ class AppRandomInput : public AppTest {
 
 TEST_F(AppRandomInput, OfAnyKindLeavesTheWindowSoundWhileDrawsArrive) {
   start_run_of({});
-  for (int event = 0; event < 400; ++event) {
+  for (int event = 0; event < 240; ++event) {
     feed();
     do_something();
     while (!window_->input_taken()) app_.frame(0);
-    if (event % 100 == 50) window_->resize(640 + 320 * (event / 100), 480 + 200 * (event / 100));
+    if (event % 60 == 30) window_->resize(640 + 320 * (event / 60), 480 + 200 * (event / 60));
     expect_sound();
   }
 }
