@@ -38,7 +38,10 @@ Manifest first_manifest(const RunSettings& settings, const Photo& photo, const P
   manifest.photo_sha256 = photo.sha256;
   manifest.photo_width = photo.original_width;
   manifest.photo_height = photo.original_height;
-  if (photo.crop != central_crop(photo.original_width, photo.original_height)) manifest.crop = photo.crop;
+  // An image that did not come from a file has no crop.
+  const bool chosen =
+      photo.crop.side > 0 && photo.crop != central_crop(photo.original_width, photo.original_height);
+  if (chosen) manifest.crop = photo.crop;
   manifest.photo_warnings = photo.warnings;
   manifest.network_sha256 = network_checksum(settings.network);
   const PosteriorSettings posterior;

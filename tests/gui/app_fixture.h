@@ -112,6 +112,17 @@ class AppTest : public ::testing::Test {
   App app_{*window_, factory(), folder_.path() / "runs"};
 };
 
+/// What a screenshot shows in a rectangle of the window.
+inline Image part_of(const Image& screenshot, const Rect& rect) {
+  const int left = static_cast<int>(rect.position.x), top = static_cast<int>(rect.position.y);
+  Image part(static_cast<int>(rect.size.x), static_cast<int>(rect.size.y), screenshot.channels);
+  for (int row = 0; row < part.height; ++row)
+    for (int column = 0; column < part.width; ++column)
+      for (int c = 0; c < part.channels; ++c)
+        part.at(row, column, c) = screenshot.at(top + row, left + column, c);
+  return part;
+}
+
 /// The mean absolute difference of two images of one size.
 inline double mean_difference(const Image& a, const Image& b) {
   EXPECT_EQ(a.pixels.size(), b.pixels.size());
