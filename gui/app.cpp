@@ -17,10 +17,7 @@
 namespace patina {
 namespace {
 
-constexpr float kFontSize = 15;                                 // at 96 dots per inch
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);  // between frames for new draws alone
-
-constexpr auto kBetweenSaves = std::chrono::seconds(2);  // flushing to disk takes a while
 
 std::filesystem::path home() {
   const char* home = std::getenv("HOME");
@@ -55,52 +52,6 @@ App::~App() {
   if (preferences_ != saved_preferences_) save_preferences();
 }
 
-void App::dress() {
-  const float size = std::round(kFontSize * window_.content_scale() * preferences_.scale);
-  theme::apply(size, preferences_.light_theme ? theme::Theme::light : theme::Theme::dark);
-  fonts_ = load_fonts(size, window_.pixel_density());
-  dressed_ = true;
-}
-
-void App::save_preferences() {
-  saved_preferences_ = preferences_;
-  saved_at_ = std::chrono::steady_clock::now();
-  if (!preferences_file_.empty()) attempt([this] { write_preferences(preferences_file_, preferences_); });
-}
-
-void App::remember() {
-  const ImGuiIO& io = ImGui::GetIO();
-  preferences_.width = static_cast<int>(io.DisplaySize.x);
-  preferences_.height = static_cast<int>(io.DisplaySize.y);
-  preferences_.last_folder = dialog_.folder();
-  preferences_.last_run = session_.has_run() ? session_.run().directory() : std::filesystem::path();
-  if (!awaited_draw_) {
-    const DrawColumns& draws = session_.model().draws();
-    const auto selected = session_.model().selected();
-    preferences_.draw.reset();
-    if (selected) preferences_.draw = {draws.chain(*selected), draws.iteration(*selected)};
-  }
-  const bool idle = !ImGui::IsAnyMouseDown() && std::chrono::steady_clock::now() - saved_at_ > kBetweenSaves;
-  if (idle && preferences_ != saved_preferences_) save_preferences();
-}
-
-bool App::reopen() {
-  if (preferences_.last_run.empty() || !looks_like_run(preferences_.last_run)) return false;
-  const auto draw = preferences_.draw;
-  attempt([this] { load(std::filesystem::path(preferences_.last_run)); });
-  if (!session_.has_run()) return false;
-  awaited_draw_ = draw;
-  return true;
-}
-
-void App::restore_draw() {
-  if (!awaited_draw_) return;
-  ExplorerModel& model = session_.model();
-  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration);
-  if (found) model.select(found);
-  if (found || model.selected() || !session_.has_run()) awaited_draw_.reset();
-}
-
 void App::attempt(const std::function<void()>& action) {
   try {
     action();
@@ -112,57 +63,6 @@ void App::attempt(const std::function<void()>& action) {
 void App::load(const std::filesystem::path& path) {
   session_.open(path);
   announce_opened();
-}
-
-void App::open(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    load(path);
-  } else {
-    loader_.start({path, std::nullopt});
-  }
-}
-
-void App::finish_loading() {
-  auto outcome = loader_.take();
-  if (!outcome) return;
-  const PhotoLoader::Request& request = outcome->request;
-  if (!outcome->photo) {
-    banner_.show(ErrorBanner::Kind::error, outcome->error);
-    // Asked for once more, it would fail again.
-    if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
-  } else if (!request.crop) {
-    session_.open_photo(std::move(*outcome->photo), request.file);
-    announce_opened();
-  } else if (request.file == session_.photo_file()) {
-    session_.recrop(std::move(*outcome->photo));
-  }
-}
-
-void App::follow_crop() {
-  if (!session_.photo_is_current()) loader_.start({session_.photo_file(), session_.chosen_crop()});
-}
-
-void App::take_dropped_files() {
-  auto files = window_.take_dropped_files();
-  if (files.size() == 1) commands_.push_back([this, file = files.front()] { open(file); });
-  if (files.size() > 1) file_choice_.ask(std::move(files));
-}
-
-void App::paste_path() {
-  const char* text = ImGui::GetClipboardText();
-  if (text != nullptr && *text != 0) open(typed_path(text, std::filesystem::current_path()));
-}
-
-void App::announce_opened() {
-  awaited_draw_.reset();
-  preferences_.opened(session_.has_run() ? session_.run().directory()
-                                         : std::filesystem::absolute(session_.photo_file()));
-  banner_.dismiss();
-  export_note_.clear();
-  window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
-  for (const std::string& warning : session_.photo().warnings)
-    banner_.show(ErrorBanner::Kind::notice, warning);
 }
 
 double App::patience() const {

@@ -123,6 +123,18 @@ TEST_F(AppPhoto, TheNewestOfPhotosOpenedInARowWins) {
   EXPECT_FALSE(app_.banner().visible()) << app_.banner().sentence();
 }
 
+TEST_F(AppPhoto, APhotoThatIsOpenedWhileASquareOfAnotherIsReadWins) {
+  drop({wide_});
+  app_.session().crop_to({0, 0, 60});
+  app_.frame(0);
+  ASSERT_TRUE(app_.loading());
+  app_.open(photo_);
+  ASSERT_TRUE(frames_until([&] { return !app_.loading(); }));
+  frames(3);
+  EXPECT_EQ(app_.session().photo_name(), "oak");
+  EXPECT_TRUE(app_.session().photo_is_current());
+}
+
 TEST_F(AppPhoto, ClippedPartsAreMarked) {
   Image image(80, 80, 3);
   for (int i = 0; i < 80 * 40 * 3; ++i) image.pixels[static_cast<std::size_t>(i)] = 1;

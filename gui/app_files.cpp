@@ -1,0 +1,62 @@
+// How photos and runs come into the program.
+
+#include <utility>
+
+#include "gui/app.h"
+
+namespace patina {
+
+void App::open(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    load(path);
+  } else {
+    loader_.start({path, std::nullopt});
+  }
+}
+
+void App::finish_loading() {
+  auto outcome = loader_.take();
+  if (!outcome) return;
+  const PhotoLoader::Request& request = outcome->request;
+  if (!outcome->photo) {
+    banner_.show(ErrorBanner::Kind::error, outcome->error);
+    // Asked for once more, it would fail again.
+    if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
+  } else if (!request.crop) {
+    session_.open_photo(std::move(*outcome->photo), request.file);
+    announce_opened();
+  } else if (request.file == session_.photo_file()) {
+    session_.recrop(std::move(*outcome->photo));
+  }
+}
+
+void App::follow_crop() {
+  const bool opens_another = loader_.busy() && !loader_.request().crop;
+  if (!opens_another && !session_.photo_is_current())
+    loader_.start({session_.photo_file(), session_.chosen_crop()});
+}
+
+void App::take_dropped_files() {
+  auto files = window_.take_dropped_files();
+  if (files.size() == 1) commands_.push_back([this, file = files.front()] { open(file); });
+  if (files.size() > 1) file_choice_.ask(std::move(files));
+}
+
+void App::paste_path() {
+  const char* text = ImGui::GetClipboardText();
+  if (text != nullptr && *text != 0) open(typed_path(text, std::filesystem::current_path()));
+}
+
+void App::announce_opened() {
+  awaited_draw_.reset();
+  preferences_.opened(session_.has_run() ? session_.run().directory()
+                                         : std::filesystem::absolute(session_.photo_file()));
+  banner_.dismiss();
+  export_note_.clear();
+  window_.set_title((session_.photo_name() + " \u2013 Patina").c_str());
+  for (const std::string& warning : session_.photo().warnings)
+    banner_.show(ErrorBanner::Kind::notice, warning);
+}
+
+}  // namespace patina
