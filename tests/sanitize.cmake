@@ -40,7 +40,8 @@ patina_sanitized_test(io address
   LIBRARIES nlohmann_json::nlohmann_json PkgConfig::OpenImageIO OpenSSL::Crypto)
 
 file(GLOB thread_sources CONFIGURE_DEPENDS run_tsan/*.cpp ${engine}/io/chain_csv*.cpp)
-foreach(part metric warmup step_size_adaptation straightening natural_spline)
+foreach(part archive finite_evaluation ladder metric natural_spline philox rng step_size_adaptation straightening
+             tempering warmup)
   list(APPEND thread_sources ${engine}/sampling/${part}.cpp)
 endforeach()
 patina_sanitized_test(run thread
@@ -52,7 +53,7 @@ patina_sanitized_test(run thread
 # step, on a full disk.
 if(PATINA_SANITIZE)
   file(GLOB chain_sources CONFIGURE_DEPENDS ${engine}/sampling/*.cpp ${engine}/io/chain_csv*.cpp)
-  list(FILTER chain_sources EXCLUDE REGEX "(laplace|map_search|sample[^/]*|tempering)\\.cpp$")  # no chain needs them
+  list(FILTER chain_sources EXCLUDE REGEX "(laplace|map_search|sample[^/]*)\\.cpp$")  # no chain needs them
   foreach(part chain chain_checkpoint chain_start run_files run_state state_file state_fits threads warmup_meeting)
     list(APPEND chain_sources ${engine}/run/${part}.cpp)
   endforeach()

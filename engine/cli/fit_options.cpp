@@ -74,6 +74,9 @@ void FitOptions::add_sampler(CLI::App& command) {
       "Share of the continuous moves that refresh one parameter from its prior");
   add(command, "--path-length", &RunSettings::path_length,
       "Mean length of hmc's trajectories, in standard deviations");
+  add(command, "--temper", &RunSettings::temper,
+      "Rungs of a ladder from prior to posterior that every chain travels, so that it finds matches far from "
+      "each other, at about so many times the cost (2 to 64; 0: none)");
   command
       .add_option("--start", start_,
                   "Where chains begin: map (spread about the best match), prior (a draw of it each), "

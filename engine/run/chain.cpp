@@ -23,9 +23,6 @@ ChainCsvHeader header_of(const ChainPlan& plan, int index) {
   return header;
 }
 
-/// Whether the chains meet at the end of a window: to share a metric, or the step size that they end with.
-bool is_met(const WarmupWindow& window, int warmup) { return window.adapts_metric || window.end == warmup; }
-
 std::vector<double> metric_diagonal(const KernelSettings& settings) {
   const Eigen::VectorXd diagonal = settings.metric->covariance().diagonal();
   return {diagonal.begin(), diagonal.end()};
@@ -35,7 +32,7 @@ std::vector<double> metric_diagonal(const KernelSettings& settings) {
 int last_meeting(int warmup, int window) {
   const std::vector<WarmupWindow> schedule = warmup_schedule(warmup);
   for (int i = window - 1; i >= 0; --i)
-    if (is_met(schedule[static_cast<std::size_t>(i)], warmup)) return i;
+    if (chains_meet(schedule[static_cast<std::size_t>(i)], warmup)) return i;
   return -1;
 }
 
@@ -51,7 +48,7 @@ ChainCsvWriter open_file(const ChainPlan& plan, int index, const ChainCheckpoint
 Chain::Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index)
     : Chain(plan, meeting, shared, index,
             read_checkpoint(chain_state_file(plan.directory, index), plan.run_key, plan.target,
-                            plan.settings.warmup)) {}
+                            plan.settings)) {}
 
 Chain::Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index,
              std::optional<ChainCheckpoint> saved)
@@ -81,8 +78,8 @@ void Chain::recall_draws() {
     tally_.add(draw);
     shared_.draws.push(std::move(draw));
   }
-  const bool same =
-      iteration == at_.iteration && (rows.empty() || rows.back().row.lp == at_.state.evaluation.log_density);
+  const bool same = iteration == at_.iteration &&
+                    (rows.empty() || rows.back().row.lp == at_.climber.on_target().evaluation.log_density);
   if (!same) refuse_state(chain_state_file(plan_.directory, index_), "it does not go with " + file.string());
   shared_.edit_status([&](RunStatus& status) { status.chains[index_] = tally_.status(); });
 }
@@ -104,14 +101,15 @@ void Chain::run() noexcept {
 
 void Chain::begin() {
   const Stopwatch stopwatch(at_.warmup_seconds);
-  at_.state = plan_.start ? start_at(plan_.target, plan_.start, rng_)
-                          : overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng_);
-  KernelSettings& settings = at_.frozen;
-  settings.metric = std::make_shared<const Metric>(
-      restricted(plan_.laplace->covariance(), metric_kind(plan_.settings.metric)));
-  if (plan_.settings.warmup > 0 && plan_.kernel.target_acceptance() > 0)
-    settings.step_size = initial_step_size(plan_.target, settings, at_.state, rng_);
-  at_.warmup = ChainWarmup(settings, plan_.kernel.target_acceptance());
+  const RunSettings& settings = plan_.settings;
+  const auto start = [&](Rng& rng) {
+    return plan_.start ? start_at(plan_.target, plan_.start, rng)
+                       : overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng);
+  };
+  const auto metric =
+      std::make_shared<const Metric>(restricted(plan_.laplace->covariance(), metric_kind(settings.metric)));
+  at_.climber =
+      begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup > 0, start, rng_);
   begun_ = true;
 }
 
@@ -126,19 +124,12 @@ void Chain::warm_up() {
 
 void Chain::end_window(const WarmupWindow& window) {
   save();  // others may let it wait
-  const ChainWarmup before = at_.warmup;
-  WindowResult result = at_.warmup.take_window();
-  if (is_met(window, plan_.settings.warmup)) {
-    try {
-      const KernelSettings pooled =
-          meeting_.meet(index_, at_.window, std::move(result), shared_.control.token());
-      if (window.adapts_metric) at_.warmup.restart(pooled);
-      at_.frozen = {pooled.step_size, at_.warmup.settings().metric, at_.warmup.settings().straightening};
-    } catch (...) {
-      at_.warmup = before;
-      throw;
-    }
-  }
+  Climber climber = at_.climber;
+  LadderWindow result = take_window(climber);
+  if (chains_meet(window, plan_.settings.warmup))
+    go_on_with(meeting_.meet(index_, at_.window, std::move(result), shared_.control.token()),
+               window.adapts_metric, climber);
+  at_.climber = std::move(climber);
   ++at_.window;
   save();
 }
@@ -148,9 +139,9 @@ void Chain::sample() {
     status.phase = RunPhase::sampling;
     status.message = "drawing samples";
   });
+  const KernelSettings& frozen = at_.climber.target_settings();
   if (!file_.place().adapted)
-    shared_.write_or_pause(
-        [&] { file_.adaptation_terminated(at_.frozen.step_size, metric_diagonal(at_.frozen)); });
+    shared_.write_or_pause([&] { file_.adaptation_terminated(frozen.step_size, metric_diagonal(frozen)); });
   const std::int64_t last = std::int64_t{plan_.settings.warmup} + plan_.settings.draws;
   while (at_.iteration < last) step(/*warmup=*/false);
 }
@@ -159,33 +150,27 @@ void Chain::sample() {
 void Chain::step(bool warmup) {
   shared_.control.checkpoint();  // a discrete move to the same level makes no evaluation
   const Stopwatch stopwatch(warmup ? at_.warmup_seconds : at_.sampling_seconds);
-  const ChainState before = at_.state;
-  const std::uint64_t random_position = rng_.position();
-  TransitionInfo info;
-  try {
-    const KernelSettings& settings = warmup ? at_.warmup.settings() : at_.frozen;
-    info = plan_.kernel.step(plan_.target, settings, at_.state, rng_);
-    record(settings.step_size, info, warmup);
-  } catch (...) {
-    at_.state = before;
-    rng_.seek(random_position);
-    throw;
-  }
-  if (warmup) at_.warmup.observe(at_.state, info);
+  Rng rng = rng_;
+  ClimberStep step = next_step(plan_.target, plan_.kernel, at_.climber, rng);
+  record(step, warmup);
+  take_step(std::move(step), warmup, at_.climber);
+  rng_ = rng;
   save_now_and_then();
 }
 
-void Chain::record(double step_size, const TransitionInfo& info, bool warmup) {
+void Chain::record(const ClimberStep& step, bool warmup) {
+  const TransitionInfo& info = step.on_target;
+  const ChainState& state = step.state.rungs.back();
   Draw draw;
   draw.chain = index_;
   draw.iteration = at_.iteration;
   draw.warmup = warmup;
-  draw.lp = at_.state.evaluation.log_density;
+  draw.lp = state.evaluation.log_density;
   draw.energy = info.energy;
   draw.accept_stat = info.accept_probability;
-  draw.step_size = step_size;
+  draw.step_size = at_.climber.target_settings().step_size;
   draw.divergent = info.divergent;
-  draw.values = plan_.values(at_.state.position);
+  draw.values = plan_.values(state.position);
   const ChainCsvRow row = to_row(draw, info);
   shared_.write_or_pause([&] { file_.append(row); });
 

@@ -13,10 +13,9 @@
 #include "engine/run/run_settings.h"
 #include "engine/run/run_shared.h"
 #include "engine/run/warmup_meeting.h"
-#include "engine/sampling/chain_state.h"
+#include "engine/sampling/climber.h"
 #include "engine/sampling/kernel.h"
 #include "engine/sampling/rng.h"
-#include "engine/sampling/warmup.h"
 
 namespace patina {
 
@@ -36,9 +35,10 @@ struct ChainPlan {
   std::function<Position(Rng&)> start = {};
 };
 
-/// One chain, on a thread of its own: start, warm-up, sampling. Every transition becomes a row of the chain's
-/// file, then a draw in the queue; a rejected proposal repeats the draw. Its state is written down every few
-/// seconds, at the end of every window and of the run.
+/// One chain, on a thread of its own: start, warm-up, sampling; alone or on a ladder, of which the target's
+/// rung is the chain that others see. Every transition becomes a row of the chain's file, then a draw in the
+/// queue; a rejected proposal repeats the draw. Its state is written down every few seconds, at the end of
+/// every window and of the run.
 class Chain {
  public:
   /// Goes on from chain-K.state, K = index + 1, if there is one: chain-K.csv is cut to what it held then, and
@@ -65,7 +65,7 @@ class Chain {
   void end_window(const WarmupWindow& window);
   void sample();
   void step(bool warmup);
-  void record(double step_size, const TransitionInfo& info, bool warmup);
+  void record(const ClimberStep& step, bool warmup);
   void save();
   void save_now_and_then();
   void close() noexcept;

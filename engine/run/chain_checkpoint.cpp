@@ -14,27 +14,26 @@ void serialise(Archive& archive, ChainCsvPlace& place) {
 }
 
 void serialise_checkpoint(Archive& archive, ChainCheckpoint& c) {
-  archive(c.iteration, c.random_position, c.window, c.state, c.warmup, c.frozen);
+  archive(c.iteration, c.random_position, c.window, c.climber);
   serialise(archive, c.file);
   archive(c.warmup_seconds, c.sampling_seconds);
 }
 
 /// Whether a chain in that window can have made so many transitions.
-bool fits(const ChainCheckpoint& c, const std::vector<WarmupWindow>& schedule, int warmup) {
+bool is_in_its_window(const ChainCheckpoint& c, const std::vector<WarmupWindow>& schedule, int warmup) {
   if (c.window < 0 || c.window > std::ssize(schedule) || c.iteration < 0) return false;
   if (c.window == std::ssize(schedule)) return c.iteration >= warmup;
   const WarmupWindow& window = schedule[static_cast<std::size_t>(c.window)];
   return c.iteration >= window.begin && c.iteration <= window.end;
 }
 
-void check(const ChainCheckpoint& c, const LogDensity& target, int warmup) {
-  const std::vector<WarmupWindow> schedule = warmup_schedule(warmup);
-  if (!fits(c, schedule, warmup)) throw ArchiveError("it is at no place of a warm-up");
-  if (!fits(c.state, target)) throw ArchiveError("its point is not one of this posterior");
-  const bool adapts = c.window < std::ssize(schedule);
-  if (!fits(adapts ? c.warmup.settings() : c.frozen, target))
-    throw ArchiveError("its metric is not one of this posterior");
-  if (adapts && !c.warmup.has_dimension(target.dimension()))
+void check(const ChainCheckpoint& c, const LogDensity& target, const RunSettings& settings) {
+  if (!is_in_its_window(c, warmup_schedule(settings.warmup), settings.warmup))
+    throw ArchiveError("it is at no place of a warm-up");
+  if (!fits(c.climber.betas, settings.rungs())) throw ArchiveError("its ladder is not one of this run");
+  if (!fits(c.climber.state, target, settings.rungs()))
+    throw ArchiveError("its point is not one of this posterior");
+  if (!fits(c.climber.warmups, target, settings.rungs()) || c.climber.swaps.rungs() != c.climber.betas.size())
     throw ArchiveError("its warm-up is not one of this posterior");
 }
 
@@ -48,7 +47,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& run_
 }
 
 std::optional<ChainCheckpoint> read_checkpoint(const std::filesystem::path& file, const std::string& run_key,
-                                               const LogDensity& target, int warmup) {
+                                               const LogDensity& target, const RunSettings& settings) {
   const std::optional<std::string> payload = read_state(file, run_key);
   if (!payload) return std::nullopt;
   try {
@@ -56,7 +55,7 @@ std::optional<ChainCheckpoint> read_checkpoint(const std::filesystem::path& file
     ChainCheckpoint checkpoint;
     serialise_checkpoint(archive, checkpoint);
     archive.expect_end();
-    check(checkpoint, target, warmup);
+    check(checkpoint, target, settings);
     return checkpoint;
   } catch (const ArchiveError& error) {
     refuse_state(file, error.what());

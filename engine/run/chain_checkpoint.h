@@ -6,8 +6,8 @@
 #include <string>
 
 #include "engine/io/chain_csv.h"
-#include "engine/sampling/chain_state.h"
-#include "engine/sampling/warmup.h"
+#include "engine/run/run_settings.h"
+#include "engine/sampling/climber.h"
 
 namespace patina {
 
@@ -16,9 +16,7 @@ struct ChainCheckpoint {
   std::int64_t iteration = 0;         ///< transitions made, warm-up included
   std::uint64_t random_position = 0;  ///< of its random stream: Rng::position()
   int window = 0;                     ///< of warmup_schedule(); their number once warm-up is over
-  ChainState state;
-  ChainWarmup warmup{KernelSettings{}, 0};  ///< of use in warm-up
-  KernelSettings frozen;                    ///< of use after it
+  Climber climber;
   ChainCsvPlace file;
   double warmup_seconds = 0, sampling_seconds = 0;  ///< spent so far
 };
@@ -27,9 +25,9 @@ struct ChainCheckpoint {
 void write_checkpoint(const std::filesystem::path& file, const std::string& run_key,
                       ChainCheckpoint& checkpoint);
 
-/// Nothing if there is no such file. @param warmup  iterations of warm-up
-/// @throws UserError for a file that cannot be one of a chain on that target
+/// Nothing if there is no such file.
+/// @throws UserError for a file that cannot be one of a chain of those settings on that target
 std::optional<ChainCheckpoint> read_checkpoint(const std::filesystem::path& file, const std::string& run_key,
-                                               const LogDensity& target, int warmup);
+                                               const LogDensity& target, const RunSettings& settings);
 
 }  // namespace patina

@@ -62,13 +62,6 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
 
 std::vector<std::string> start_names() { return {"map", "prior", "prior-mean", "values"}; }
 
-Position prior_draw(const LogDensity& target, Rng& rng) {
-  Position drawn;
-  drawn.continuous = rng.normals(target.dimension());
-  drawn.discrete = uniform_levels(target.discrete_levels(), rng);
-  return drawn;
-}
-
 ChainState start_at(const LogDensity& target, const std::function<Position(Rng&)>& propose, Rng& rng) {
   for (int i = 0; i < kStartTries; ++i) {
     const Position position = propose(rng);

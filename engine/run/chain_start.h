@@ -6,6 +6,7 @@
 
 #include "engine/sampling/chain_state.h"
 #include "engine/sampling/metric.h"
+#include "engine/sampling/prior_draw.h"
 #include "engine/sampling/rng.h"
 
 namespace patina {
@@ -26,9 +27,6 @@ constexpr int kStartTries = 8;
 
 /// The settings for RunSettings::start: "map", "prior", "prior-mean", "values".
 std::vector<std::string> start_names();
-
-/// A draw of the prior N(0, I), levels uniform.
-Position prior_draw(const LogDensity& target, Rng& rng);
 
 /// The first place of finite density among kStartTries that `propose` names.
 /// @throws UserError if there is none

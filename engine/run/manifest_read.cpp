@@ -7,6 +7,7 @@
 #include "engine/io/file.h"
 #include "engine/run/manifest.h"
 #include "engine/run/manifest_phase.h"
+#include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 
 namespace patina {
@@ -125,6 +126,7 @@ RunSettings settings(const Json& json) {
   s.fixed = named_numbers(json, "fixed");
   for (const auto& [name, value] : field(json, "priors").items()) s.priors[name] = prior(value);
   if (json.contains("path_length")) s.path_length = number(json, "path_length");
+  if (json.contains("temper")) s.temper = integer(json, "temper", 0, kMostRungs);
   if (json.contains("start")) s.start = text(json, "start");
   if (json.contains("start_at")) s.start_at = named_numbers(json, "start_at");
   if (json.contains("stop"))

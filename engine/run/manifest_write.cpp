@@ -32,6 +32,7 @@ Json settings_json(const RunSettings& s) {
           {"alpha", s.alpha},
           {"refresh", s.refresh},
           {"path_length", s.path_length},
+          {"temper", s.temper},
           {"start", s.start},
           {"start_at", Json(s.start_at)},
           {"seed", s.seed},

@@ -56,6 +56,10 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
     throw UserError("The minutes and the effective draws to stop at must be at least 0.");
   if (settings.stop.rhat != 0 && !(settings.stop.rhat > 1))
     throw UserError("The R-hat to stop at must be above 1, for example 1.01.");
+  if (settings.temper != 0 && !(settings.temper >= 2 && settings.temper <= kMostRungs))
+    throw UserError("The rungs from prior to posterior (temper) are " + std::to_string(settings.temper) +
+                    ": choose from 2, the two themselves, to " + std::to_string(kMostRungs) +
+                    ", or 0 for chains without a ladder.");
   if (!(settings.path_length > 0 && settings.path_length <= 100))
     throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
   check_name("start", settings.start, start_names());

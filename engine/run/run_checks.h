@@ -8,6 +8,7 @@
 namespace patina {
 
 constexpr int kMostChains = 64;
+constexpr int kMostRungs = 64;
 constexpr int kMostIterations = 10'000'000;
 constexpr int kLeastResolution = 16;
 constexpr int kMostResolution = 4096;

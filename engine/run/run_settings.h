@@ -36,6 +36,10 @@ struct RunSettings {
   double alpha = 0.8;     ///< probability of a continuous move, where there are discrete parameters
   double refresh = 0.75;  ///< probability that a continuous move refreshes one parameter instead (kernels.h)
   double path_length = 1.5;  ///< of hmc's trajectories, in standard deviations (kernels.h)
+  /// Rungs of every chain's ladder from prior to posterior, see sampling/tempering.h; 0: chains by
+  /// themselves.
+  int temper = 0;
+  int rungs() const { return temper == 0 ? 1 : temper; }
   /// Where chains begin (chain_start.h): "map", spread about the best match; "prior", a draw of the prior for
   /// each; "prior-mean", all at the priors' means; "values", all at start_at.
   std::string start = "map";

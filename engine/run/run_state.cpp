@@ -13,7 +13,7 @@ namespace {
 
 struct Agreement {
   int window = 0;
-  KernelSettings settings;
+  LadderSettings settings;
   void serialise(Archive& archive) { archive(window, settings); }
 };
 
@@ -75,7 +75,7 @@ void write_warmup(const std::filesystem::path& directory, const std::string& run
 }
 
 WarmupRecord read_warmup(const std::filesystem::path& directory, const std::string& run_key,
-                         const LogDensity& target) {
+                         const LogDensity& target, int rungs) {
   const std::filesystem::path file = warmup_state_file(directory);
   const auto payload = read_state(file, run_key);
   WarmupRecord record;
@@ -84,7 +84,7 @@ WarmupRecord read_warmup(const std::filesystem::path& directory, const std::stri
     std::vector<Agreement> agreements;
     archive(agreements);
     for (const Agreement& agreement : agreements) {
-      if (!fits(agreement.settings, target)) throw ArchiveError("it is of another posterior");
+      if (!fits(agreement.settings, target, rungs)) throw ArchiveError("it is of another posterior");
       record[agreement.window] = agreement.settings;
     }
   });

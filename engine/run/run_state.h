@@ -26,8 +26,9 @@ void write_warmup(const std::filesystem::path& directory, const std::string& run
 /// from
 void check_has_states(const std::filesystem::path& directory);
 
-/// Empty if no window had ended. @throws UserError for a file that is damaged or not of that target
+/// Empty if no window had ended. @param rungs  of the chains' ladders
+/// @throws UserError for a file that is damaged or not of that target
 WarmupRecord read_warmup(const std::filesystem::path& directory, const std::string& run_key,
-                         const LogDensity& target);
+                         const LogDensity& target, int rungs);
 
 }  // namespace patina

@@ -110,7 +110,7 @@ void SamplerRun::take_up() {
   check_same_run(directory_, made, manifest_);
   check_has_states(directory_);
   found_ = read_mode(directory_, run_key_, *posteriors_.front());
-  record_ = read_warmup(directory_, run_key_, *posteriors_.front());
+  record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
   manifest_.basins = made.basins;
   manifest_.seconds = made.seconds;

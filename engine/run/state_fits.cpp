@@ -1,7 +1,8 @@
 #include "engine/run/state_fits.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <numeric>
 
 namespace patina {
 
@@ -28,6 +29,34 @@ bool fits(const std::shared_ptr<const Metric>& metric, const LogDensity& target)
 bool fits(const KernelSettings& settings, const LogDensity& target) {
   return fits(settings.metric, target) && settings.step_size > 0 &&
          (!settings.straightening || settings.straightening->dimension() == target.dimension());
+}
+
+bool fits(const std::vector<double>& betas, int rungs) {
+  if (std::ssize(betas) != rungs || betas.back() != 1) return false;
+  return rungs == 1 || (betas[0] == 0 && betas[1] > 0 && std::ranges::is_sorted(betas));
+}
+
+bool fits(const TemperedState& state, const LogDensity& target, int rungs) {
+  if (std::ssize(state.rungs) != rungs || state.from_prior.size() != state.rungs.size()) return false;
+  // What lies on the prior's rung is drawn anew before anyone looks at it, and may have no density.
+  if (!std::ranges::all_of(state.rungs.begin() + (rungs > 1), state.rungs.end(),
+                           [&](const ChainState& rung) { return fits(rung, target); }))
+    return false;
+  std::vector<int> everyone(state.rungs.size());
+  std::iota(everyone.begin(), everyone.end(), 0);
+  return state.rounds >= 0 && std::ranges::is_permutation(state.traveller, everyone);
+}
+
+bool fits(const std::vector<ChainWarmup>& warmups, const LogDensity& target, int rungs) {
+  return std::ssize(warmups) == std::max(rungs - 1, 1) &&
+         std::ranges::all_of(warmups, [&](const ChainWarmup& warmup) {
+           return fits(warmup.settings(), target) && warmup.has_dimension(target.dimension());
+         });
+}
+
+bool fits(const LadderSettings& settings, const LogDensity& target, int rungs) {
+  return fits(settings.betas, rungs) && std::ssize(settings.rungs) == std::max(rungs - 1, 1) &&
+         std::ranges::all_of(settings.rungs, [&](const KernelSettings& rung) { return fits(rung, target); });
 }
 
 }  // namespace patina

@@ -6,7 +6,7 @@
 
 namespace patina {
 
-KernelSettings WarmupMeeting::meet(int chain, int window, WindowResult result, const std::stop_token& stop) {
+LadderSettings WarmupMeeting::meet(int chain, int window, LadderWindow result, const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   if (const auto held = record_.find(window); held != record_.end()) return held->second;
   results_[static_cast<std::size_t>(chain)] = std::move(result);

@@ -8,16 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sampling/warmup.h"
+#include "engine/sampling/ladder.h"
 
 namespace patina {
 
 /// What the chains agreed on at the ends of windows, by the windows' numbers.
-using WarmupRecord = std::map<int, KernelSettings>;
+using WarmupRecord = std::map<int, LadderSettings>;
 
 /// Where chains meet at the end of a warm-up window to pool what they saw into one metric and one step
-/// size. The result does not depend on who comes when. It is written down before anyone goes on with it, so
-/// that chains that are taken up again from different sides of a meeting all leave it with the same.
+/// size for each rung, and one ladder. The result does not depend on who comes when. It is written down
+/// before anyone goes on with it, so that chains that are taken up again from different sides of a meeting
+/// all leave it with the same.
 class WarmupMeeting {
  public:
   using Save = std::function<void(const WarmupRecord&)>;
@@ -37,9 +38,9 @@ class WarmupMeeting {
   /// Waits for all chains, unless the meeting has been held.
   /// @param window  its number; every chain comes to the same ones in the same order
   /// @param result  of this chain's window
-  /// @return the metric and the step size that all chains go on with: pool() of all results
+  /// @return what all chains go on with: pool() of all results
   /// @throws RunStopped if the run is stopped meanwhile
-  KernelSettings meet(int chain, int window, WindowResult result, const std::stop_token& stop);
+  LadderSettings meet(int chain, int window, LadderWindow result, const std::stop_token& stop);
 
   /// Whether the meeting at the end of that window has been held.
   bool was_held(int window) const;
@@ -52,7 +53,7 @@ class WarmupMeeting {
   mutable std::mutex mutex_;
   std::condition_variable_any complete_;
   WarmupRecord record_;
-  std::vector<WindowResult> results_;
+  std::vector<LadderWindow> results_;
   int arrived_ = 0;
 };
 

@@ -6,6 +6,7 @@
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
 #include "engine/sampling/sample_record.h"
 
 namespace patina {
@@ -96,13 +97,7 @@ Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettin
 }
 
 Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings) {
-  const std::vector<int> levels = target.discrete_levels();
-  const auto start = [&](Rng& rng) {
-    Position position{rng.normals(target.dimension()), Eigen::VectorXi(std::ssize(levels))};
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      position.discrete[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
-    return position;
-  };
+  const auto start = [&](Rng& rng) { return prior_draw(target, rng); };
   return sample(target, kernel, settings, start, Metric::identity(target.dimension()));
 }
 

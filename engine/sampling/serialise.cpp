@@ -39,6 +39,12 @@ void serialise(Archive& archive, KernelSettings& settings) {
   archive(settings.step_size, settings.metric, settings.straightening);
 }
 
+void serialise(Archive& archive, TemperedState& state) {
+  archive(state.rungs, state.traveller, state.from_prior, state.rounds, state.round_trips);
+}
+
+void serialise(Archive& archive, LadderSettings& settings) { archive(settings.betas, settings.rungs); }
+
 void serialise(Archive& archive, std::shared_ptr<const Metric>& metric) {
   Eigen::MatrixXd covariance;
   if (metric) covariance = metric->covariance();

@@ -6,133 +6,62 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/sampling/climber.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
 #include "engine/sampling/sample_record.h"
-#include "engine/sampling/tempering.h"
 
 namespace patina {
 namespace {
 
-/// One chain's ladder.
-struct Climber {
-  TemperedState state;
+struct OneChain {
+  Climber climber;
   Rng rng;
-  std::vector<ChainWarmup> warmups;  ///< of every rung but the prior's
-  SwapRecord swaps;
 };
-
-/// What all climbers share.
-struct Ladder {
-  const LogDensity& target;
-  const Kernel& kernel;
-  std::vector<double> betas;
-  std::vector<TemperedDensity> densities;  ///< of every rung but the prior's
-
-  Ladder(const LogDensity& target, const Kernel& kernel, std::vector<double> betas)
-      : target(target), kernel(kernel) {
-    set(std::move(betas));
-  }
-
-  void set(std::vector<double> wanted) {
-    betas = std::move(wanted);
-    densities.clear();
-    for (std::size_t rung = 1; rung < betas.size(); ++rung) densities.emplace_back(target, betas[rung]);
-  }
-};
-
-/// One transition on rung i + 1. Its state stays, to the last bit, where nothing is accepted.
-TransitionInfo step(const Ladder& ladder, std::size_t i, const KernelSettings& settings, Climber& climber) {
-  ChainState& state = climber.state.rungs[i + 1];
-  ChainState tempered = ladder.densities[i].tempered(state);
-  const TransitionInfo info = ladder.kernel.step(ladder.densities[i], settings, tempered, climber.rng);
-  if (info.accepted) state = ladder.densities[i].untempered(tempered);
-  return info;
-}
 
 /// A draw of the prior to begin with, where there is a density.
 ChainState start(const LogDensity& target, Rng& rng) {
   constexpr int kMostTries = 10000;
   for (int tries = 0; tries < kMostTries; ++tries) {
-    ChainState state = prior_draw(target, rng);
+    ChainState state = prior_state(target, rng);
     if (std::isfinite(state.evaluation.log_density)) return state;
   }
   throw std::invalid_argument("no draw of N(0, I) has a density");
 }
 
-Climber begin(const Ladder& ladder, const SampleSettings& settings, std::size_t index) {
-  const LogDensity& target = ladder.target;
+OneChain begin(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings, int rungs,
+               std::size_t index) {
   Rng rng(settings.seed, index + 1);
-  std::vector<ChainState> rungs;
-  std::vector<ChainWarmup> warmups;
   const auto metric = std::make_shared<const Metric>(Metric::identity(target.dimension()));
-  for (std::size_t rung = 0; rung < ladder.betas.size(); ++rung) {
-    rungs.push_back(start(target, rng));
-    if (rung == 0) continue;
-    KernelSettings first{0.5, metric};
-    const TemperedDensity& density = ladder.densities[rung - 1];
-    if (settings.warmup > 0 && ladder.kernel.target_acceptance() > 0)
-      first.step_size = initial_step_size(density, first, density.tempered(rungs.back()), rng);
-    warmups.emplace_back(first, ladder.kernel.target_acceptance());
-  }
-  return {tempered_state(std::move(rungs)), rng, std::move(warmups), SwapRecord(ladder.betas.size())};
+  Climber climber = begin_climb(
+      target, kernel, rungs, metric, settings.warmup > 0, [&](Rng& r) { return start(target, r); }, rng);
+  return {std::move(climber), rng};
 }
 
-void warm_up_window(const Ladder& ladder, const WarmupWindow& window, Climber& climber) {
-  for (int t = window.begin; t < window.end; ++t) {
-    climber.state.rungs.front() = prior_draw(ladder.target, climber.rng);
-    for (std::size_t i = 0; i < climber.warmups.size(); ++i) {
-      ChainWarmup& warmup = climber.warmups[i];
-      const TransitionInfo info = step(ladder, i, warmup.settings(), climber);
-      warmup.observe(climber.state.rungs[i + 1], info);
-    }
-    swap_rungs(ladder.betas, climber.state, climber.swaps, climber.rng);
-  }
-}
-
-std::vector<double> take_rejection(std::vector<Climber>& climbers, std::size_t rungs) {
-  SwapRecord pooled(rungs);
-  for (Climber& climber : climbers) pooled.add(std::exchange(climber.swaps, SwapRecord(rungs)));
-  return pooled.rejection();
-}
-
-/// @return what each rung but the prior's goes on with
-std::vector<KernelSettings> warm_up(Ladder& ladder, const SampleSettings& settings,
-                                    std::vector<Climber>& climbers) {
-  std::vector<KernelSettings> frozen;
-  for (const ChainWarmup& warmup : climbers.front().warmups) frozen.push_back(warmup.settings());
+void warm_up(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
+             std::vector<OneChain>& chains) {
   for (const WarmupWindow& window : warmup_schedule(settings.warmup)) {
-    parallel_for(climbers.size(), settings.threads,
-                 [&](std::size_t k) { warm_up_window(ladder, window, climbers[k]); });
-    for (std::size_t i = 0; i < frozen.size(); ++i) {
-      std::vector<WindowResult> results;
-      for (Climber& climber : climbers) results.push_back(climber.warmups[i].take_window());
-      const KernelSettings pooled =
-          pool(results, settings.metric, settings.metric_worth, ladder.target.jagged());
-      if (window.adapts_metric)
-        for (Climber& climber : climbers) climber.warmups[i].restart(pooled);
-      const KernelSettings& now = climbers.front().warmups[i].settings();
-      frozen[i] = {pooled.step_size, now.metric, now.straightening};
-    }
-    const std::vector<double> rejection = take_rejection(climbers, ladder.betas.size());
-    if (window.adapts_metric) ladder.set(equalised_ladder(ladder.betas, rejection));
+    std::vector<LadderWindow> results(chains.size());
+    parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
+      auto& [climber, rng] = chains[k];
+      for (int t = window.begin; t < window.end; ++t)
+        take_step(next_step(target, kernel, climber, rng), /*warmup=*/true, climber);
+      results[k] = take_window(climber);
+    });
+    if (!chains_meet(window, settings.warmup)) continue;
+    const LadderSettings agreed = pool(results, settings.metric, settings.metric_worth, target.jagged());
+    for (OneChain& chain : chains) go_on_with(agreed, window.adapts_metric, chain.climber);
   }
-  return frozen;
 }
 
-SampleTally draw(const Ladder& ladder, const std::vector<KernelSettings>& frozen, Eigen::Index k,
-                 Climber& climber, Sample& sample) {
+SampleTally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k, OneChain& chain,
+                 Sample& sample) {
   SampleTally tally;
   for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
-    climber.state.rungs.front() = prior_draw(ladder.target, climber.rng);
-    ++tally.evaluations;
-    TransitionInfo info;
-    for (std::size_t i = 0; i < frozen.size(); ++i) {
-      info = step(ladder, i, frozen[i], climber);
-      if (i + 1 < frozen.size()) tally.evaluations += info.evaluations;
-    }
-    tally.add(info);
-    swap_rungs(ladder.betas, climber.state, climber.swaps, climber.rng);
-    record(sample, t, k, climber.state.rungs.back(), info.energy);
+    ClimberStep step = next_step(target, kernel, chain.climber, chain.rng);
+    tally.add(step.on_target);
+    record(sample, t, k, step.state.rungs.back(), step.on_target.energy);
+    take_step(std::move(step), /*warmup=*/false, chain.climber);
   }
   return tally;
 }
@@ -146,25 +75,28 @@ double TemperedSample::barrier() const {
 TemperedSample sample_tempered(const LogDensity& target, const Kernel& kernel, const SampleSettings& settings,
                                int rungs) {
   if (rungs < 2) throw std::invalid_argument("a ladder has at least two rungs");
-  Ladder ladder(target, kernel, first_ladder(rungs));
-  std::vector<Climber> climbers;
+  std::vector<OneChain> chains;
   for (int k = 0; k < settings.chains; ++k)
-    climbers.push_back(begin(ladder, settings, static_cast<std::size_t>(k)));
-  const std::vector<KernelSettings> frozen = warm_up(ladder, settings, climbers);
+    chains.push_back(begin(target, kernel, settings, rungs, static_cast<std::size_t>(k)));
+  warm_up(target, kernel, settings, chains);
 
   TemperedSample tempered;
   Sample& sample = tempered.sample;
-  sample.frozen = frozen.back();
+  sample.frozen = chains.front().climber.target_settings();
   shape(sample, target, settings);
-  for (Climber& climber : climbers) climber.state.round_trips = 0;
-  std::vector<SampleTally> tallies(climbers.size());
-  parallel_for(climbers.size(), settings.threads, [&](std::size_t k) {
-    tallies[k] = draw(ladder, frozen, static_cast<Eigen::Index>(k), climbers[k], sample);
+  for (OneChain& chain : chains) chain.climber.state.round_trips = 0;
+  std::vector<SampleTally> tallies(chains.size());
+  parallel_for(chains.size(), settings.threads, [&](std::size_t k) {
+    tallies[k] = draw(target, kernel, static_cast<Eigen::Index>(k), chains[k], sample);
   });
   add_tallies(sample, tallies);
-  for (const Climber& climber : climbers) tempered.round_trips.push_back(climber.state.round_trips);
-  tempered.swap_rejection = take_rejection(climbers, ladder.betas.size());
-  tempered.betas = ladder.betas;
+  SwapRecord swaps(static_cast<std::size_t>(rungs));
+  for (const auto& [climber, rng] : chains) {
+    tempered.round_trips.push_back(climber.state.round_trips);
+    swaps.add(climber.swaps);
+  }
+  tempered.swap_rejection = swaps.rejection();
+  tempered.betas = chains.front().climber.betas;
   return tempered;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/sampling/tempering.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -60,13 +61,13 @@ Evaluation TemperedDensity::value(const Position& position) const {
   return tempered({position, std::move(of_target)}).evaluation;
 }
 
-ChainState prior_draw(const LogDensity& target, Rng& rng) {
-  const std::vector<int> levels = target.discrete_levels();
-  Position position{rng.normals(target.dimension()), Eigen::VectorXi(std::ssize(levels))};
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    position.discrete[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
-  Evaluation evaluation = evaluate_finite(target, position);
-  return {std::move(position), std::move(evaluation)};
+std::shared_ptr<const Metric> tempered_metric(const std::shared_ptr<const Metric>& of_target, double beta) {
+  if (beta == 1) return of_target;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(of_target->covariance());
+  const Eigen::ArrayXd variances = axes.eigenvalues().array().max(0);
+  const Eigen::VectorXd tempered = variances / (beta + (1 - beta) * variances);
+  const Eigen::MatrixXd half = axes.eigenvectors() * tempered.cwiseSqrt().asDiagonal();
+  return std::make_shared<const Metric>(half * half.transpose());
 }
 
 std::vector<double> first_ladder(int rungs) {
@@ -79,6 +80,7 @@ std::vector<double> first_ladder(int rungs) {
 
 std::vector<double> equalised_ladder(const std::vector<double>& betas, const std::vector<double>& rejection) {
   assert(rejection.size() + 1 == betas.size());
+  if (betas.size() <= 2) return betas;
   constexpr double kLeast = 1e-4;  // so that the sum rises from rung to rung
   std::vector<double> barrier{0};
   for (const double r : rejection) barrier.push_back(barrier.back() + std::max(r, kLeast));
@@ -121,6 +123,14 @@ std::vector<double> SwapRecord::rejection() const {
   for (std::size_t i = 0; i < tried_.size(); ++i)
     rejection.push_back(tried_[i] > 0 ? rejected_[i] / static_cast<double>(tried_[i]) : 0);
   return rejection;
+}
+
+void SwapRecord::serialise(Archive& archive) {
+  archive(rejected_, tried_);
+  if (rejected_.size() != tried_.size()) throw ArchiveError("its swaps do not add up");
+  for (std::size_t i = 0; i < tried_.size(); ++i)
+    if (!(rejected_[i] >= 0 && rejected_[i] <= static_cast<double>(tried_[i])))
+      throw ArchiveError("its swaps do not add up");
 }
 
 void swap_rungs(const std::vector<double>& betas, TemperedState& state, SwapRecord& record, Rng& rng) {

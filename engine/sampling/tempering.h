@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "engine/sampling/archive.h"
 #include "engine/sampling/kernel.h"
 
 namespace patina {
@@ -41,19 +43,21 @@ class TemperedDensity final : public LogDensity {
   std::vector<bool> jagged_;
 };
 
-/// A draw of the prior. Makes one evaluation, which may find no density there.
-ChainState prior_draw(const LogDensity& target, Rng& rng);
+/// The metric of the tempered density, as far as that is normal, from the target's: precisions of prior and
+/// likelihood add up. At beta = 1 it is the target's.
+std::shared_ptr<const Metric> tempered_metric(const std::shared_ptr<const Metric>& of_target, double beta);
 
 /// Inverse temperatures from 0, the prior, to 1, the target. @param rungs  at least 2
 std::vector<double> first_ladder(int rungs);
 
 /// The ladder of as many rungs on which neighbours would reject their swaps equally often: what rejections
 /// add up to from the prior on (the communication barrier), taken as linear between rungs, is cut into equal
-/// parts (algorithm 2 there).
+/// parts (algorithm 2 there). A ladder of one or two rungs stays as it is.
 /// @param rejection  mean probability that the swap of rungs i and i + 1 is rejected
 std::vector<double> equalised_ladder(const std::vector<double>& betas, const std::vector<double>& rejection);
 
-/// States that travel a ladder. Rung 0 holds draws of the prior, the last one the target's chain.
+/// States that travel a ladder. Rung 0 holds draws of the prior, the last one the target's chain, which may
+/// also be the only one.
 struct TemperedState {
   std::vector<ChainState> rungs;  ///< evaluations are of the target itself
   std::vector<int> traveller;     ///< who is on each rung
@@ -68,11 +72,17 @@ TemperedState tempered_state(std::vector<ChainState> rungs);
 /// How often swaps were rejected.
 class SwapRecord {
  public:
+  SwapRecord() = default;  ///< of a single rung
   explicit SwapRecord(std::size_t rungs) : rejected_(rungs - 1, 0.0), tried_(rungs - 1, 0) {}
 
   void add(std::size_t lower_rung, double accept_probability);
   void add(const SwapRecord& other);
   std::vector<double> rejection() const;  ///< mean of each pair; 0 where none was tried
+
+  std::size_t rungs() const { return tried_.size() + 1; }
+
+  /// All fields; see Archive. @throws ArchiveError for what no record can hold
+  void serialise(Archive& archive);
 
  private:
   std::vector<double> rejected_;

@@ -65,6 +65,10 @@ std::vector<WarmupWindow> warmup_schedule(int iterations) {
   return schedule;
 }
 
+bool chains_meet(const WarmupWindow& window, int iterations) {
+  return window.adapts_metric || window.end == iterations;
+}
+
 ChainWarmup::ChainWarmup(KernelSettings start, double target_acceptance)
     : settings_(std::move(start)),
       step_size_(settings_.step_size, target_acceptance),

@@ -25,6 +25,10 @@ struct WarmupWindow {
 /// manual, section "Automatic parameter tuning".
 std::vector<WarmupWindow> warmup_schedule(int iterations);
 
+/// Whether chains of that many iterations of warm-up meet at the end of the window: to share a metric, or the
+/// step size that they end with.
+bool chains_meet(const WarmupWindow& window, int iterations);
+
 /// A step size to begin warm-up with (Hoffman & Gelman 2014, algorithm 4): doubles or halves
 /// settings.step_size until the acceptance probability of one leapfrog step crosses 0.8. Takes a handful of
 /// evaluations.
@@ -59,7 +63,7 @@ KernelSettings pool(const std::vector<WindowResult>& chains, MetricKind kind, do
 class ChainWarmup {
  public:
   /// @param target_acceptance  of the kernel; 0: there is no step size to adapt
-  ChainWarmup(KernelSettings start, double target_acceptance);
+  explicit ChainWarmup(KernelSettings start = {}, double target_acceptance = 0);
 
   const KernelSettings& settings() const { return settings_; }
 
@@ -72,6 +76,9 @@ class ChainWarmup {
 
   /// Installs the pooled metric and restarts the step-size search from the pooled step.
   void restart(const KernelSettings& pooled);
+
+  /// Settles on a step size, until the next observation: at the end of warm-up for good.
+  void freeze(double step_size) { settings_.step_size = step_size; }
 
   /// Whether all that it saw are positions of that dimension.
   bool has_dimension(Eigen::Index dimension) const;

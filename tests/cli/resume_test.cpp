@@ -79,6 +79,7 @@ TEST_F(Resume, WithAnotherSettingPhotoOrFewerDrawsIsRefusedAndChangesNothing) {
   };
   EXPECT_NE(refusal(photo, {"--kernel", "nuts"}).find("settings/kernel (\"hmc\", not \"nuts\")"),
             std::string::npos);
+  EXPECT_NE(refusal(photo, {"--temper", "3"}).find("settings/temper (0, not 3)"), std::string::npos);
   EXPECT_NE(refusal(photo, {"--seed", "2"}).find("settings/seed"), std::string::npos);
   EXPECT_NE(refusal(photo, {"--fix", "rough=0.4"}).find("settings/fixed"), std::string::npos);
   EXPECT_NE(refusal(photo, {"--draws", "20"}).find("as many or more"), std::string::npos);

@@ -16,18 +16,23 @@
 
 namespace patina {
 
-/// A bent ridge in two coordinates and three levels that displace it, with a hook that every evaluation runs
-/// first.
+/// A bent ridge in two coordinates and three levels that displace it.
+inline Evaluation bent_ridge(const Position& p) {
+  const double x = p.continuous[0] - 0.2 * p.discrete[0], off = p.continuous[1] - x * x;
+  return {-0.5 * x * x - 8 * off * off, Eigen::Vector2d(-x + 32 * off * x, -16 * off)};
+}
+
+/// A density of two coordinates and three levels, with a hook that every evaluation runs first.
 class Mixed final : public LogDensity {
  public:
   std::function<void()> before;
+  std::function<Evaluation(const Position&)> density = bent_ridge;
 
   Eigen::Index dimension() const override { return 2; }
   std::vector<int> discrete_levels() const override { return {3}; }
   Evaluation evaluate(const Position& p) const override {
     if (before) before();
-    const double x = p.continuous[0] - 0.2 * p.discrete[0], off = p.continuous[1] - x * x;
-    return {-0.5 * x * x - 8 * off * off, Eigen::Vector2d(-x + 32 * off * x, -16 * off)};
+    return density(p);
   }
 };
 
@@ -60,16 +65,17 @@ class CheapChainsTest : public FolderTest {
                            return ParameterValues{{p.continuous.begin(), p.continuous.end()},
                                                   {p.discrete.begin(), p.discrete.end()}};
                          },
-                         {mode, Mixed().evaluate(mode)},
+                         {mode, target_.density(mode)},
                          std::make_shared<const Metric>(Metric::identity(2)),
                          directory,
                          "key",
-                         std::chrono::milliseconds(1)};
+                         std::chrono::milliseconds(1),
+                         start_};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(kChains); });
     WarmupMeeting meeting(
         kChains, MetricKind::curved, 20, {},
         [&](const WarmupRecord& record) { write_warmup(directory, "key", record); },
-        read_warmup(directory, "key", target));
+        read_warmup(directory, "key", target, settings_.rungs()));
     std::deque<Chain> chains;
     for (int k = 0; k < kChains; ++k) chains.emplace_back(plan, meeting, shared, k);
     std::vector<std::jthread> threads;
@@ -94,6 +100,7 @@ class CheapChainsTest : public FolderTest {
   RunSettings settings_;
   ParameterTable table_;
   Mixed target_;
+  std::function<Position(Rng&)> start_;  ///< see ChainPlan
 };
 
 }  // namespace patina

@@ -21,6 +21,7 @@ class ManifestTest : public FolderTest {
     m.settings.kernel = "nuts";
     m.settings.metric = "diagonal";
     m.settings.discrete = "single";
+    m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.seed = std::numeric_limits<std::uint64_t>::max();
     m.settings.fixed = {{"light", 0.1 + 0.2}};
@@ -65,6 +66,13 @@ TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   ASSERT_EQ(r.basins.size(), 2u);
   EXPECT_EQ(r.basins[1].values, m.basins[1].values);
   EXPECT_EQ(r.basins[1].lp, -23.5);
+}
+
+TEST_F(ManifestTest, ARunFromBeforeThereWereLaddersHasNone) {
+  Json older = Json::parse(to_json(full()));
+  EXPECT_EQ(read(older.dump()).settings.temper, 8);
+  older["settings"].erase("temper");
+  EXPECT_EQ(read(older.dump()).settings.temper, 0);
 }
 
 TEST_F(ManifestTest, AMapWithoutDensityIsNotAMapAtZero) {

@@ -35,6 +35,9 @@ TEST_F(StartRunRefuses, ImpossibleNumbers) {
   EXPECT_NE(refusal([](auto& s) { s.draws = 0; }).find("draws"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.resolution = 8; }).find("resolution"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.alpha = 0; }).find("alpha"), std::string::npos);
+  for (const int temper : {-3, 1, 65})
+    EXPECT_NE(refusal([&](auto& s) { s.temper = temper; }).find(std::to_string(temper) + ": choose from 2"),
+              std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.capture.size_cm = 0; }).find("size"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.capture.camera_cm = NAN; }).find("camera"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.fixed["rough"] = 7; }).find("rough"), std::string::npos);

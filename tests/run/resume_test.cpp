@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <random>
+#include <utility>
 
 #include "engine/run/state_file.h"
 #include "engine/run/threads.h"
@@ -34,46 +36,73 @@ class ResumeTest : public CheapChainsTest {
     EXPECT_TRUE(status == 0 || status == 1 || status == -SIGKILL) << status;
     return status == 0;
   }
+
+  /// Takes up runs of other seeds again and again, until they have come to their end, and compares them with
+  /// undisturbed ones.
+  /// @return how often they were killed or stopped
+  int interrupt_at_random(std::uint64_t seeds) {
+    std::mt19937 random(7);
+    int interruptions = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      settings_.seed = seed;
+      const auto undisturbed = folder_ / ("a" + std::to_string(seed));
+      const auto disturbed = folder_ / ("b" + std::to_string(seed));
+      take_up(undisturbed);
+      for (int tries = 0; tries < 500; ++tries) {
+        const int evaluation = 1 + static_cast<int>(random() % 900);
+        if (take_up_until(evaluation, random() % 3 > 0, disturbed)) break;
+        ++interruptions;
+      }
+      EXPECT_EQ(bytes_of(disturbed), bytes_of(undisturbed)) << "seed " << seed;
+    }
+    return interruptions;
+  }
+
+  /// The finished chain of a run in whose state, after a stop on the way, something is changed; and of the
+  /// undisturbed run.
+  template <typename Change>
+  std::pair<std::string, std::string> with_and_without(Change change) {
+    take_up(folder_ / "a");
+    const auto disturbed = folder_ / "b";
+    take_up_until(500, /*kill=*/false, disturbed);
+    const auto file = chain_state_file(disturbed, 0);
+    auto checkpoint = read_checkpoint(file, "key", target_, settings_);
+    EXPECT_TRUE(checkpoint);
+    if (!checkpoint) return {};
+    change(*checkpoint);
+    write_checkpoint(file, "key", *checkpoint);
+    take_up(disturbed);
+    return {slurp(chain_file(disturbed, 0)), slurp(chain_file(folder_ / "a", 0))};
+  }
 };
 
 TEST_F(ResumeTest, KilledAndStoppedAtRandomTheFinishedChainsAreByteForByteTheUndisturbedOnes) {
-  std::mt19937 random(7);
-  int interruptions = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    settings_.seed = seed;
-    const auto undisturbed = folder_ / ("a" + std::to_string(seed));
-    const auto disturbed = folder_ / ("b" + std::to_string(seed));
-    take_up(undisturbed);
-    for (int tries = 0;; ++tries) {
-      ASSERT_LT(tries, 500) << "it does not get ahead";
-      const int evaluation = 1 + static_cast<int>(random() % 900);
-      if (take_up_until(evaluation, random() % 3 > 0, disturbed)) break;
-      ++interruptions;
-    }
-    ASSERT_EQ(bytes_of(disturbed), bytes_of(undisturbed)) << "seed " << seed;
-  }
-  EXPECT_GT(interruptions, 40);
+  EXPECT_GT(interrupt_at_random(/*seeds=*/12), 40);
+}
+
+TEST_F(ResumeTest, SoAreThoseOfTemperedChains) {
+  settings_.temper = 4;
+  settings_.warmup = 150;
+  EXPECT_GT(interrupt_at_random(/*seeds=*/3), 30);
 }
 
 TEST_F(ResumeTest, TheRunThatIsKilledIsOneThatLearnsAStraightening) {
   take_up(folder_);
-  const WarmupRecord record = read_warmup(folder_, "key", target_);
+  const WarmupRecord record = read_warmup(folder_, "key", target_, 1);
   EXPECT_TRUE(std::ranges::any_of(record, [](const auto& held) {
-    return held.second.straightening != nullptr;
+    return held.second.rungs.front().straightening != nullptr;
   })) << "or the tests here leave its state out";
 }
 
 TEST_F(ResumeTest, OneWordOfTheRandomStreamAsideTheFinishedChainsDiffer) {
-  take_up(folder_ / "a");
-  const auto disturbed = folder_ / "b";
-  take_up_until(500, /*kill=*/false, disturbed);
-  const auto file = chain_state_file(disturbed, 0);
-  auto checkpoint = read_checkpoint(file, "key", target_, settings_.warmup);
-  ASSERT_TRUE(checkpoint);
-  ++checkpoint->random_position;
-  write_checkpoint(file, "key", *checkpoint);
-  take_up(disturbed);
-  EXPECT_NE(slurp(chain_file(disturbed, 0)), slurp(chain_file(folder_ / "a", 0)));
+  const auto [changed, undisturbed] = with_and_without([](ChainCheckpoint& c) { ++c.random_position; });
+  EXPECT_NE(changed, undisturbed);
+}
+
+TEST_F(ResumeTest, OneRoundOfSwapsAsideTheFinishedTemperedChainsDiffer) {
+  settings_.temper = 3;
+  const auto [changed, undisturbed] = with_and_without([](ChainCheckpoint& c) { ++c.climber.state.rounds; });
+  EXPECT_NE(changed, undisturbed);
 }
 
 TEST_F(ResumeTest, ARunThatIsTakenUpAgainHandsOutTheDrawsThatItHadToo) {
@@ -114,28 +143,59 @@ TEST_F(ResumeTest, DamagedStatesAreRefusedWithASentenceAndNeverChangeADraw) {
     else
       damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
     this->file("run/chain-2.state", damaged);
-    EXPECT_NE(user_error([&] { read_checkpoint(file, "key", target_, settings_.warmup); }), "") << i;
+    EXPECT_NE(user_error([&] { read_checkpoint(file, "key", target_, settings_); }), "") << i;
   }
   EXPECT_EQ(bytes_of(directory), draws);
 }
 
 TEST_F(ResumeTest, AForgedStateWithARightChecksumIsStillNotBelieved) {
-  const auto file = folder_ / "chain-1.state";
-  take_up_until(500, /*kill=*/false, folder_);
-  const auto payload = read_state(file, "key");
-  ASSERT_TRUE(payload);
-  std::mt19937 random(5);
-  for (int i = 0; i < 300; ++i) {
-    std::string forged = *payload;
-    forged[random() % forged.size()] = static_cast<char>(random());
-    if (i % 3 == 0) forged.resize(random() % forged.size());
-    write_state(file, "key", forged);
-    try {  // refused with a sentence, or a state that fits; never a crash
-      read_checkpoint(file, "key", target_, settings_.warmup);
-    } catch (const UserError& error) {
-      EXPECT_NE(std::string(error.what()).find("cannot be used"), std::string::npos);
+  for (const int temper : {0, 3}) {
+    settings_.temper = temper;
+    const auto directory = folder_ / std::to_string(temper), file = chain_state_file(directory, 0);
+    take_up_until(500, /*kill=*/false, directory);
+    const auto payload = read_state(file, "key");
+    ASSERT_TRUE(payload);
+    std::mt19937 random(5);
+    for (int i = 0; i < 300; ++i) {
+      std::string forged = *payload;
+      forged[random() % forged.size()] = static_cast<char>(random());
+      if (i % 3 == 0) forged.resize(random() % forged.size());
+      write_state(file, "key", forged);
+      try {  // refused with a sentence, or a state that fits; never a crash
+        read_checkpoint(file, "key", target_, settings_);
+      } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("cannot be used"), std::string::npos);
+      }
     }
   }
+}
+
+TEST_F(ResumeTest, StatesOfAnotherLadderAreRefused) {
+  settings_.temper = 4;
+  take_up(folder_);
+  const auto file = chain_state_file(folder_, 0);
+  EXPECT_EQ(user_error([&] { read_checkpoint(file, "key", target_, settings_); }), "");
+  const auto good = read_checkpoint(file, "key", target_, settings_);
+  const auto refusal = [&](auto spoil) {
+    ChainCheckpoint bad = *good;
+    spoil(bad.climber);
+    write_checkpoint(file, "key", bad);
+    return user_error([&] { read_checkpoint(file, "key", target_, settings_); });
+  };
+  EXPECT_EQ(refusal([](Climber&) {}), "");
+  EXPECT_NE(refusal([](Climber& c) { std::swap(c.betas[1], c.betas[2]); }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.betas[1] = 0; }), "") << "nothing can be divided by it";
+  EXPECT_NE(refusal([](Climber& c) { c.betas.pop_back(); }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.state.rungs.pop_back(); }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.state.rungs[2].evaluation.log_density = NAN; }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.state.traveller[1] = 7; }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.state.from_prior.pop_back(); }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.warmups.pop_back(); }), "");
+  EXPECT_NE(refusal([](Climber& c) { c.swaps = SwapRecord(3); }), "");
+  settings_.temper = 0;
+  EXPECT_NE(user_error([&] { read_checkpoint(file, "key", target_, settings_); }), "");
+  EXPECT_NE(user_error([&] { read_warmup(folder_, "key", target_, 1); }), "");
+  EXPECT_EQ(user_error([&] { read_warmup(folder_, "key", target_, 4); }), "");
 }
 
 TEST_F(ResumeTest, AStateOfAnotherRunAnotherFileOrLostAgreementsIsRefused) {
@@ -143,8 +203,7 @@ TEST_F(ResumeTest, AStateOfAnotherRunAnotherFileOrLostAgreementsIsRefused) {
   take_up(directory);
   const auto refusal = [&] { return user_error([&] { take_up(directory); }); };
   const auto read = [&](const std::string& key) {
-    return user_error(
-        [&] { read_checkpoint(chain_state_file(directory, 0), key, target_, settings_.warmup); });
+    return user_error([&] { read_checkpoint(chain_state_file(directory, 0), key, target_, settings_); });
   };
   EXPECT_EQ(read("key"), "");
   EXPECT_NE(read("other").find("another run"), std::string::npos);

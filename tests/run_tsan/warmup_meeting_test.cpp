@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "engine/run/run_control.h"
-#include "engine/sampling/warmup.h"
+#include "engine/sampling/ladder.h"
 
 namespace patina {
 namespace {
@@ -16,11 +16,11 @@ using namespace std::chrono_literals;
 
 constexpr int kChains = 3;
 
-WindowResult result(int chain, int meeting) {
+LadderWindow result(int chain, int meeting) {
   Eigen::MatrixXd matrix(2, 20);
   for (int i = 0; i < 20; ++i)
     matrix.col(i) << std::sin(7 * i + chain), (meeting + 1) * std::cos(3 * i * chain);
-  return {matrix, 0.1 * (chain + 1) + meeting, nullptr};
+  return {{1}, {{matrix, 0.1 * (chain + 1) + meeting, nullptr}}, {}};
 }
 
 TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
@@ -32,11 +32,11 @@ TEST(WarmupMeeting, EveryChainLeavesEachMeetingWithWhatIsPooledOverAll) {
   for (int k = 0; k < kChains; ++k)
     chains.emplace_back([&, k] {
       for (int m = 0; m < kMeetings; ++m) {
-        std::vector<WindowResult> all;
+        std::vector<LadderWindow> all;
         for (int other = 0; other < kChains; ++other) all.push_back(result(other, m));
         if ((k + m) % 3 == 0) std::this_thread::sleep_for(100us);
-        const KernelSettings pooled = meeting.meet(k, m, result(k, m), never.get_token());
-        const KernelSettings expected = pool(all, MetricKind::dense);
+        const KernelSettings pooled = meeting.meet(k, m, result(k, m), never.get_token()).rungs.front();
+        const KernelSettings expected = pool(all, MetricKind::dense).rungs.front();
         right += pooled.metric->covariance() == expected.metric->covariance() &&
                  pooled.step_size == expected.step_size;
       }

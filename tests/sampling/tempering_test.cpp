@@ -8,39 +8,19 @@
 #include <vector>
 
 #include "engine/sampling/kernels.h"
-#include "tests/sampling/statistics.h"
+#include "engine/sampling/prior_draw.h"
+#include "tests/sampling/seen_with_an_error.h"
 #include "tests/sampling/targets.h"
 
 namespace patina {
 namespace {
-
-constexpr double kError = 0.3;
-const Eigen::Vector2d kSeen(1.5, -0.5);
-
-/// Prior N(0, I), seen with a Gaussian error: every tempered density is a Gaussian that is known.
-FunctionTarget seen_with_an_error() {
-  return {2, [](const Position& p) {
-            const Eigen::VectorXd& x = p.continuous;
-            const Eigen::VectorXd misfit = (x - kSeen) / (kError * kError);
-            return Evaluation{-0.5 * x.squaredNorm() - 0.5 * misfit.dot(x - kSeen), -x - misfit};
-          }};
-}
-
-double sd_at(double beta) { return 1 / std::sqrt(1 + beta / (kError * kError)); }
-double mean_at(double beta, int i) { return beta * kSeen[i] / (kError * kError) * sd_at(beta) * sd_at(beta); }
-
-ChainState exact_draw(const LogDensity& target, double beta, Rng& rng) {
-  Eigen::VectorXd x(2);
-  for (int i = 0; i < 2; ++i) x[i] = mean_at(beta, i) + sd_at(beta) * rng.normal();
-  return state_at(target, {x, {}});
-}
 
 TEST(TemperedDensity, at_one_is_the_target_to_the_last_bit) {
   const FunctionTarget target = seen_with_an_error();
   const TemperedDensity same(target, 1);
   Rng rng(101);
   for (int i = 0; i < 20; ++i) {
-    const ChainState state = prior_draw(target, rng);
+    const ChainState state = prior_state(target, rng);
     EXPECT_EQ(same.evaluate(state.position).log_density, state.evaluation.log_density);
     EXPECT_EQ(same.evaluate(state.position).gradient, state.evaluation.gradient);
     EXPECT_EQ(same.untempered(same.tempered(state)).evaluation.gradient, state.evaluation.gradient);
@@ -53,7 +33,7 @@ TEST(TemperedDensity, has_the_slope_of_its_value_and_the_moments_of_its_formula)
   for (const double beta : {0.01, 0.3, 0.8}) {
     const TemperedDensity tempered(target, beta);
     for (int repeat = 0; repeat < 10; ++repeat) {
-      const ChainState state = prior_draw(target, rng);
+      const ChainState state = prior_state(target, rng);
       const Evaluation here = tempered.evaluate(state.position);
       for (int i = 0; i < 2; ++i) {
         Position up = state.position, down = state.position;
@@ -102,8 +82,7 @@ TEST(TemperedDensity, says_nothing_along_jagged_coordinates) {
   EXPECT_EQ(tempered.evaluate({Eigen::VectorXd::Ones(3), {}}).gradient[0], 0);
 }
 
-/// Kolmogorov distance of the worst rung and coordinate after some rounds from exact draws, over what chance
-/// allows.
+/// worst_distance() after some rounds from exact draws.
 double distance_after_rounds(const std::vector<double>& betas, const std::vector<double>& swapped_by) {
   constexpr int kRepeats = 20000;
   const FunctionTarget target = seen_with_an_error();
@@ -116,7 +95,7 @@ double distance_after_rounds(const std::vector<double>& betas, const std::vector
     TemperedState state = tempered_state(rungs);
     SwapRecord record(betas.size());
     for (int round = 0; round < 3; ++round) {
-      state.rungs.front() = prior_draw(target, rng);
+      state.rungs.front() = prior_state(target, rng);
       for (std::size_t i = 1; i < betas.size(); ++i) {
         const TemperedDensity density(target, betas[i]);
         ChainState tempered = density.tempered(state.rungs[i]);
@@ -129,17 +108,7 @@ double distance_after_rounds(const std::vector<double>& betas, const std::vector
     for (std::size_t i = 0; i < ends.size(); ++i)
       ends[i].push_back(state.rungs[i / 2].position.continuous[static_cast<Eigen::Index>(i % 2)]);
   }
-  double worst = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const double beta = betas[i / 2];
-    const auto cdf = [&](double x) {
-      return testing_statistics::normal_cdf((x - mean_at(beta, static_cast<int>(i % 2))) / sd_at(beta));
-    };
-    worst =
-        std::max(worst, testing_statistics::ks_distance(ends[i], cdf) /
-                            testing_statistics::dkw_bound(kRepeats, 1e-6 / static_cast<double>(ends.size())));
-  }
-  return worst;
+  return worst_distance(betas, ends);
 }
 
 TEST(Tempering, keeps_exact_draws_of_every_rung_exact) {
@@ -205,6 +174,16 @@ TEST(Tempering, tries_each_pair_every_other_round_and_never_accepts_a_place_with
   }
   EXPECT_EQ(record.rejection()[0], 1);
   EXPECT_LT(record.rejection()[1], 0.9);
+}
+
+TEST(TemperedMetric, is_the_covariance_of_a_normal_density_and_at_one_the_targets_own) {
+  const auto metric = std::make_shared<const Metric>(some_covariance(3));
+  EXPECT_EQ(tempered_metric(metric, 1), metric);
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(3, 3);
+  for (const double beta : {1e-6, 0.2, 0.9}) {
+    const Eigen::MatrixXd precision = beta * metric->covariance().inverse() + (1 - beta) * identity;
+    EXPECT_TRUE(tempered_metric(metric, beta)->covariance().isApprox(precision.inverse(), 1e-10));
+  }
 }
 
 TEST(EqualisedLadder, stays_where_rejections_are_equal_and_moves_towards_where_they_are_many) {
