@@ -24,12 +24,6 @@ std::filesystem::path home() {
   return home != nullptr && *home == '/' ? home : "/";
 }
 
-/// "chain2-step1405": a draw's place in the run, for names of files.
-std::string place_name(const DrawColumns& draws, std::size_t draw) {
-  return "chain" + std::to_string(draws.chain(draw) + 1) + "-step" +
-         std::to_string(draws.iteration(draw) + 1);
-}
-
 }  // namespace
 
 App::App(Window& window, RunFactory factory, const std::filesystem::path& runs,
@@ -238,9 +232,8 @@ void App::ask_to_export_starred() {
   for (const Star& star : model.stars()) {
     const auto draw = model.draw_of(star);
     if (!draw) continue;
-    const ShownDraw shown{ShownDraw::Kind::selected, draw, model.draws().lp(*draw),
-                          model.draws().values(*draw)};
-    jobs.push_back({export_request(session_, shown), place_name(model.draws(), *draw)});
+    jobs.push_back(
+        {export_request(session_, selected_draw(model.draws(), *draw)), place_name(model.draws(), *draw)});
   }
   if (!jobs.empty()) ask_for_export_folder(std::move(jobs), session_.photo_name() + "-starred");
 }

@@ -6,10 +6,7 @@ namespace patina {
 
 ShownDraw shown_draw(const Session& session) {
   const ExplorerModel& model = session.model();
-  if (const auto selected = model.selected()) {
-    return {ShownDraw::Kind::selected, selected, model.draws().lp(*selected),
-            model.draws().values(*selected)};
-  }
+  if (const auto selected = model.selected()) return selected_draw(model.draws(), *selected);
   const RunStatus& status = session.status();
   const auto best = model.best();
   if (best && (!status.best || model.draws().lp(*best) >= status.best_lp)) {
@@ -18,6 +15,10 @@ ShownDraw shown_draw(const Session& session) {
   if (status.best) return {ShownDraw::Kind::search, std::nullopt, status.best_lp, *status.best};
   return {ShownDraw::Kind::typical, std::nullopt, 0,
           session.has_run() ? prior_location(model.table()) : session.choices().typical()};
+}
+
+ShownDraw selected_draw(const DrawColumns& draws, std::size_t draw) {
+  return {ShownDraw::Kind::selected, draw, draws.lp(draw), draws.values(draw)};
 }
 
 std::string shown_draw_title(const ShownDraw& shown) {
@@ -64,10 +65,12 @@ std::string export_name(const Session& session, const ShownDraw& shown) {
   const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
   std::string name = settings.material;
   if (session.has_photo()) name = session.photo_name() + "-" + name;
-  if (!shown.draw) return name;
-  const DrawColumns& draws = session.model().draws();
-  return name + "-chain" + std::to_string(draws.chain(*shown.draw) + 1) + "-step" +
-         std::to_string(draws.iteration(*shown.draw) + 1);
+  return shown.draw ? name + "-" + place_name(session.model().draws(), *shown.draw) : name;
+}
+
+std::string place_name(const DrawColumns& draws, std::size_t draw) {
+  return "chain" + std::to_string(draws.chain(draw) + 1) + "-step" +
+         std::to_string(draws.iteration(draw) + 1);
 }
 
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b) {

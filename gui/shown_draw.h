@@ -26,6 +26,9 @@ struct ShownDraw {
 
 ShownDraw shown_draw(const Session& session);
 
+/// As if that draw had been selected.
+ShownDraw selected_draw(const DrawColumns& draws, std::size_t draw);
+
 /// "Selected draw", "Best draw so far" ...
 std::string shown_draw_title(const ShownDraw& shown);
 
@@ -36,6 +39,9 @@ PreviewRequest preview_request(const Session& session, const ShownDraw& shown, i
 /// What has to be exported of it, and a name for the folder.
 ExportRequest export_request(const Session& session, const ShownDraw& shown);
 std::string export_name(const Session& session, const ShownDraw& shown);
+
+/// "chain2-step1405": a draw's place in the run, for names of files.
+std::string place_name(const DrawColumns& draws, std::size_t draw);
 
 /// Whether two requests have the same picture.
 bool same_picture(const PreviewRequest& a, const PreviewRequest& b);

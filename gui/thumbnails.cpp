@@ -15,8 +15,7 @@ const Texture* Thumbnails::find(const Session& session, std::size_t draw, int re
     return entry->second.picture ? &*entry->second.picture : nullptr;
   }
   if (pending_ == key) return nullptr;
-  const DrawColumns& draws = session.model().draws();
-  const ShownDraw shown{ShownDraw::Kind::selected, draw, draws.lp(draw), draws.values(draw)};
+  const ShownDraw shown = selected_draw(session.model().draws(), draw);
   const auto place = hurry ? wanted_.begin() : wanted_.end();
   wanted_.insert(place, {key, preview_request(session, shown, resolution)});
   return nullptr;

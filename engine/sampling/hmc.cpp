@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -23,9 +22,18 @@ class Hmc final : public Kernel {
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
+    return with_gradient(target, state, [&] { return move(target, settings, state, rng); });
+  }
+
+  /// The optimum of an evaluation's worth as the dimension grows is 0.651 (Beskos et al. 2013), and flat up
+  /// to 0.9 (Betancourt, Byrne, Girolami 2014): a little above costs little and spares places that are
+  /// narrower than most. The careful trajectories, which are nearly always accepted, raise the mean.
+  double target_acceptance() const override { return 0.7 * (1 - careful_) + 0.95 * careful_; }
+
+ private:
+  TransitionInfo move(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const {
     assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
-    const std::optional<int> completed = complete(target, state);
-    if (!completed) return held(state);
     const double step = settings.step_size * draw_share(rng);
     const int steps = draw_steps(step, rng);
     PhasePoint point{state, rng.normals(state.position.continuous.size())};
@@ -45,17 +53,11 @@ class Hmc final : public Kernel {
     TransitionInfo info = metropolis_step(MoveKind::continuous, divergent ? -kInfinity : before - after,
                                           kInfinity, std::move(point.state), state, rng);
     info.divergent |= divergent;
-    info.evaluations = taken + *completed;
+    info.evaluations = taken;
     info.energy = info.accepted ? after : before;
     return info;
   }
 
-  /// The optimum of an evaluation's worth as the dimension grows is 0.651 (Beskos et al. 2013), and flat up
-  /// to 0.9 (Betancourt, Byrne, Girolami 2014): a little above costs little and spares places that are
-  /// narrower than most. The careful trajectories, which are nearly always accepted, raise the mean.
-  double target_acceptance() const override { return 0.7 * (1 - careful_) + 0.95 * careful_; }
-
- private:
   /// Of the step that warm-up says (Neal 2011, section 5.4.2.2). Like the number of steps it looks at the
   /// generator alone.
   double draw_share(Rng& rng) const {

@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
@@ -18,22 +17,22 @@ class Mala final : public Kernel {
  public:
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
-    assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
-    const std::optional<int> completed = complete(target, state);
-    if (!completed) return held(state);
-    ChainState proposal{propose(settings, state, rng), {}};
-    proposal.evaluation = evaluate_finite(target, proposal.position);
-    const double log_ratio = mala_log_ratio(settings, state, proposal);
-    TransitionInfo info =
-        metropolis_step(MoveKind::continuous, log_ratio, kDivergentFall, std::move(proposal), state, rng);
-    info.evaluations += *completed;
-    return info;
+    return with_gradient(target, state, [&] { return move(target, settings, state, rng); });
   }
 
   /// Roberts & Rosenthal 1998: the optimum of MALA as the dimension grows.
   double target_acceptance() const override { return 0.574; }
 
  private:
+  TransitionInfo move(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const {
+    assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
+    ChainState proposal{propose(settings, state, rng), {}};
+    proposal.evaluation = evaluate_finite(target, proposal.position);
+    const double log_ratio = mala_log_ratio(settings, state, proposal);
+    return metropolis_step(MoveKind::continuous, log_ratio, kDivergentFall, std::move(proposal), state, rng);
+  }
+
   static Position propose(const KernelSettings& settings, const ChainState& state, Rng& rng) {
     const double step = settings.step_size;
     const Eigen::VectorXd noise = rng.normals(state.position.continuous.size());

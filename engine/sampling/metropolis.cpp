@@ -33,12 +33,19 @@ std::optional<int> complete(const LogDensity& target, ChainState& state) {
   return 1;
 }
 
-TransitionInfo held(const ChainState& state) {
-  TransitionInfo info;
-  info.divergent = true;
-  info.evaluations = 1;
-  info.energy = -state.evaluation.log_density;
-  return info;
+TransitionInfo with_gradient(const LogDensity& target, ChainState& state,
+                             const std::function<TransitionInfo()>& step) {
+  const std::optional<int> completed = complete(target, state);
+  if (completed) {
+    TransitionInfo info = step();
+    info.evaluations += *completed;
+    return info;
+  }
+  TransitionInfo held;
+  held.divergent = true;
+  held.evaluations = 1;
+  held.energy = -state.evaluation.log_density;
+  return held;
 }
 
 }  // namespace patina

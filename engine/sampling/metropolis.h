@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -20,12 +21,14 @@ constexpr double kNeverDivergent = std::numeric_limits<double>::infinity();
 TransitionInfo metropolis_step(MoveKind move, double log_ratio, double divergent_below, ChainState proposal,
                                ChainState& state, Rng& rng);
 
-/// For gradient kernels, before anything else: evaluates the gradient that an earlier move left out.
-/// @return the evaluations that it took, 0 or 1; nothing where the gradient is not finite. The state is to be
-/// held() then: a gradient kernel never leads there, so it must not lead away either.
+/// Evaluates the gradient that an earlier move left out.
+/// @return the evaluations that it took, 0 or 1; nothing where the gradient is not finite. A gradient kernel
+/// must not lead away from such a state, for it never leads there.
 std::optional<int> complete(const LogDensity& target, ChainState& state);
 
-/// The transition that stays where it is, flagged divergent.
-TransitionInfo held(const ChainState& state);
+/// A gradient kernel's transition from a state that is complete(); step() makes it, and what completing took
+/// is added to its evaluations. Where the gradient is not finite the state is held, flagged divergent.
+TransitionInfo with_gradient(const LogDensity& target, ChainState& state,
+                             const std::function<TransitionInfo()>& step);
 
 }  // namespace patina

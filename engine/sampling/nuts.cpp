@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -150,11 +149,8 @@ class Nuts final : public Kernel {
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
     assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
-    const std::optional<int> completed = complete(target, state);
-    if (!completed) return held(state);
-    TransitionInfo info = Trajectory(target, settings, state, rng).run(deepest_, state);
-    info.evaluations += *completed;
-    return info;
+    return with_gradient(target, state,
+                         [&] { return Trajectory(target, settings, state, rng).run(deepest_, state); });
   }
 
   double target_acceptance() const override { return 0.8; }  // Stan's

@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,15 +50,20 @@ class SmoothBlock final : public Kernel {
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
-    const std::optional<int> completed = complete(target, state);
-    if (!completed) return held(state);
+    return with_gradient(target, state, [&] { return move(target, settings, state, rng); });
+  }
+
+  double target_acceptance() const override { return kernel_->target_acceptance(); }
+
+ private:
+  TransitionInfo move(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const {
     const Indices smooth = smooth_coordinates(target);
     const Conditional conditional(target, smooth, state.position);
     const KernelSettings block{settings.step_size, settings.metric->conditional(smooth)};
     ChainState inner{{state.position.continuous(smooth), {}},
                      {state.evaluation.log_density, state.evaluation.gradient(smooth)}};
-    TransitionInfo info = kernel_->step(conditional, block, inner, rng);
-    info.evaluations += *completed;
+    const TransitionInfo info = kernel_->step(conditional, block, inner, rng);
     if (info.accepted) {
       state.position = conditional.whole(inner.position);
       state.evaluation.log_density = inner.evaluation.log_density;
@@ -68,9 +72,6 @@ class SmoothBlock final : public Kernel {
     return info;
   }
 
-  double target_acceptance() const override { return kernel_->target_acceptance(); }
-
- private:
   std::unique_ptr<Kernel> kernel_;
 };
 

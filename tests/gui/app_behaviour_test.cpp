@@ -10,12 +10,6 @@ namespace {
 
 class AppBehaviour : public AppTest {
  protected:
-  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
   void type(const std::string& text) {
     window_->type(text);
     answer_input();

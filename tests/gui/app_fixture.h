@@ -104,6 +104,14 @@ class AppTest : public ::testing::Test {
     answer_input();
   }
 
+  /// Taps a key. @param key  an ASCII capital or digit, or ImGui::GetKeyIndex() of a named one
+  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
+    window_->hold_modifiers(modifiers);
+    window_->tap_key(key);
+    window_->hold_modifiers(ImGuiKeyModFlags_None);
+    answer_input();
+  }
+
   TemporaryFolder folder_;
   std::filesystem::path photo_ = folder_.path() / "oak.png";
   std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();

@@ -14,13 +14,6 @@ class AppGallery : public AppTest {
   const Gallery& gallery() const { return app_.scatter().gallery(); }
   const std::filesystem::path& directory() const { return app_.session().run().directory(); }
 
-  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
-
   void start_row() {
     std::vector<Draw> draws;
     for (int i = 0; i < 4; ++i) {

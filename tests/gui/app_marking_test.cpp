@@ -31,12 +31,6 @@ class AppMarking : public AppTest {
     answer_input();
   }
 
-  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
   void undo() { press('Z', ImGuiKeyModFlags_Ctrl); }
   void redo() { press('Y', ImGuiKeyModFlags_Ctrl); }
 };

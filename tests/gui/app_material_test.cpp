@@ -10,12 +10,6 @@ class AppMaterial : public AppTest {
     return app_.material().table().places()[row(name)];
   }
   const RunChoices& choices() const { return app_.session().choices(); }
-  void press(int key, ImGuiKeyModFlags modifiers) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
 };
 
 TEST_F(AppMaterial, AClickOnALockHoldsTheParameterAtTheShownValue) {

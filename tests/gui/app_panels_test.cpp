@@ -17,12 +17,6 @@ class AppPanels : public AppTest {
   }
   Layout layout() const { return lay_out(ImGui::GetIO().DisplaySize, {}, ImGui::GetFontSize()); }
 
-  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
   void type(const std::string& text) {
     window_->type(text);
     answer_input();

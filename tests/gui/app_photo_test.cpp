@@ -22,12 +22,6 @@ class AppPhoto : public AppTest {
     ASSERT_TRUE(frames_until([&] { return !app_.loading(); }));
     frames(2);
   }
-  void press(int key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None) {
-    window_->hold_modifiers(modifiers);
-    window_->tap_key(key);
-    window_->hold_modifiers(ImGuiKeyModFlags_None);
-    answer_input();
-  }
 
   /// A point of the photo, in its pixels, in the window.
   ImVec2 spot(float x, float y) {

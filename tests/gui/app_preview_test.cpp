@@ -26,10 +26,6 @@ class AppPreview : public AppTest {
     frames(2);
   }
 
-  void press(int key) {
-    window_->tap_key(key);
-    answer_input();
-  }
   void type(const char* text) {
     window_->type(text);
     answer_input();

@@ -11,11 +11,6 @@ class AppViews : public AppTest {
   const ExplorerModel& model() const { return app_.session().model(); }
   const MatrixPlot& matrix() const { return app_.scatter().matrix(); }
 
-  void press(int key) {
-    window_->tap_key(key);
-    answer_input();
-  }
-
   std::size_t index_of(const PlotAxis& axis) const {
     const auto axes = plot_axes(table_);
     return static_cast<std::size_t>(std::ranges::find(axes, axis) - axes.begin());
