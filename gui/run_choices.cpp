@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/registry.h"
 #include "gui/words.h"
 
@@ -29,7 +30,8 @@ void check_prior(const std::string& name, const TruncatedNormal& prior) {
 RunChoices::RunChoices(RunSettings settings) : history_({std::move(settings), std::nullopt}) { refresh(); }
 
 void RunChoices::refresh() {
-  if (material_.material != settings().material) material_ = material_table(settings().material);
+  if (file_.material != settings().material) file_ = material_table(settings().material);
+  material_ = table_under(file_, settings().capture);
   table_ = material_;
   for (const auto& [name, prior] : settings().priors)
     if (const auto index = table_.find_continuous(name)) table_.continuous[*index].prior = prior;

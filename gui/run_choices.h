@@ -18,7 +18,7 @@ class RunChoices {
   const RunSettings& settings() const { return history_.now().settings; }
   /// The part of the photo; none: the central square.
   const std::optional<PhotoCrop>& crop() const { return history_.now().crop; }
-  /// The chosen material's parameters, as the material has them and with the chosen priors.
+  /// The chosen material's parameters, with its own priors for the chosen geometry and with the chosen ones.
   const ParameterTable& material() const { return material_; }
   const ParameterTable& table() const { return table_; }
 
@@ -65,7 +65,7 @@ class RunChoices {
   void refresh();
 
   History<State> history_;
-  ParameterTable material_, table_;
+  ParameterTable file_, material_, table_;
 };
 
 }  // namespace patina

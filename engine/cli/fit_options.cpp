@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "engine/io/params_json.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/registry.h"
 #include "engine/run/manifest.h"
 #include "engine/run/run_files.h"
@@ -112,7 +113,7 @@ void FitOptions::set_start(RunSettings& settings) const {
   settings.start = start_;
   if (start_ == "map" || start_ == "prior" || start_ == "prior-mean") return;
   settings.start = "values";
-  const ParameterTable table = material_table(settings.material);
+  const ParameterTable table = table_under(material_table(settings.material), settings.capture);
   const ParameterValues values = read_params(start_, table, prior_location(table));
   for (std::size_t i = 0; i < table.continuous.size(); ++i)
     settings.start_at[table.continuous[i].name] = values.continuous[i];

@@ -16,6 +16,7 @@
 
 #include "engine/error.h"
 #include "engine/io/photo.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/material.h"
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
@@ -51,7 +52,7 @@ struct Posterior::Parts {
   Parts(const PosteriorSettings& s, const Image& photo)
       : settings(s),
         material(make_material(s.material)),
-        space(material->table(), s.priors, s.fixed),
+        space(table_under(material->table(), s.capture), s.priors, s.fixed),
         z(std::make_shared<const Irregularities>(s.z_seed)),
         summary(make_summary(s.summary, s.network)) {
     if (s.resolution < summary->minimum_resolution())

@@ -73,6 +73,16 @@ TEST_F(PriorFile, GoodOneIsReadAsItStands) {
   EXPECT_EQ(table.find_discrete("cells"), 0u);
 }
 
+TEST_F(PriorFile, APriorMayGrowWithTheCamerasDistance) {
+  EXPECT_EQ(read(kGood).continuous[0].camera_power, 0);
+  const auto with_power = [&](const std::string& power) {
+    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"camera_power\": " + power);
+  };
+  EXPECT_EQ(read(with_power("2")).continuous[0].camera_power, 2);
+  expect_refusal(with_power("\"2\""), "'light'");
+  expect_refusal(with_power("40"), "'light'");
+}
+
 TEST_F(PriorFile, NotJsonIsRefused) {
   expect_refusal("", "JSON");
   expect_refusal("[1, 2]", "JSON");
