@@ -96,7 +96,17 @@ void Session::start() {
   const auto photo = std::make_shared<const Photo>(*photo_);
   adopt(factory_.start(settings(), *photo, fresh_run_directory(runs_, photo_name(), settings().material),
                        wake_));
-  run_photo_ = photo;
+  begin_sitting(photo);
+}
+
+void Session::begin_sitting(std::shared_ptr<const Photo> photo) {
+  run_photo_ = std::move(photo);
+  begun_ = std::chrono::steady_clock::now();
+}
+
+std::optional<double> Session::seconds_spent() const {
+  if (!run_photo_) return std::nullopt;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
 }
 
 void Session::let_run_go() {
@@ -166,7 +176,7 @@ void Session::go_on() {
   settings.stop.ess = settings.stop.rhat = 0;
   const auto photo = run_photo_;
   adopt(factory_.resume(settings, *photo, source_->directory(), wake_));
-  run_photo_ = photo;
+  begin_sitting(photo);
 }
 
 void Session::poll() {
