@@ -87,15 +87,18 @@ void Session::open_run_directory(const std::filesystem::path& directory) {
   choices_ = std::move(choices);
 }
 
-void Session::start() {
+void Session::start() { start(settings()); }
+
+void Session::start_at(const ParameterValues& values) { start(choices_.started_at(values)); }
+
+void Session::start(const RunSettings& settings) {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
   if (!photo_is_current())
     throw UserError("The part of the photo that you chose is still being read: start again in a moment.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
   const auto photo = std::make_shared<const Photo>(*photo_);
-  adopt(factory_.start(settings(), *photo, fresh_run_directory(runs_, photo_name(), settings().material),
-                       wake_));
+  adopt(factory_.start(settings, *photo, fresh_run_directory(runs_, photo_name(), settings.material), wake_));
   begin_sitting(photo);
 }
 

@@ -60,6 +60,8 @@ class Session {
   /// Starts a run on the photo in a fresh directory; the run that was open is let go.
   /// @throws UserError if there is no photo or the run cannot start
   void start();
+  /// Likewise, every chain from these values of the chosen material, held to what is assumed of them now.
+  void start_at(const ParameterValues& values);
 
   bool has_run() const { return source_ != nullptr; }
   const DrawSource& run() const { return *source_; }
@@ -92,6 +94,7 @@ class Session {
   const std::optional<RunSummary>& summary() const { return summary_; }  ///< of the draws after warm-up
 
  private:
+  void start(const RunSettings& settings);
   void open_run_directory(const std::filesystem::path& directory);
   void let_run_go();
   void begin_sitting(std::shared_ptr<const Photo> photo);

@@ -67,7 +67,7 @@ if(PATINA_SANITIZE)
   # The window under random input. The engine below it is as it is.
   file(GLOB window_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/gui/*.cpp ${CMAKE_SOURCE_DIR}/gui/gl/*.cpp
        ${CMAKE_SOURCE_DIR}/gui/panels/*.cpp)
-  list(FILTER window_sources EXCLUDE REGEX "gui/(main|glfw_window)\\.cpp$")
+  list(FILTER window_sources EXCLUDE REGEX "gui/(main|glfw_window|explorer|explorer_library)\\.cpp$")
   patina_sanitized_test(gui address
     SOURCES ${window_sources} gui/app_random_test.cpp
     LIBRARIES patina_run patina_material patina_diagnostics patina_io nlohmann_json::nlohmann_json PkgConfig::imgui

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "gui/panels/stop_rules.h"
 #include "gui/run_outlook.h"
 #include "gui/theme.h"
 #include "gui/words.h"
@@ -61,8 +62,10 @@ void draw_news(const Session& session, const RunOutlook& outlook,
                const std::optional<StopEvidence>& evidence) {
   const RunStatus& status = session.status();
   const float width = ImGui::GetContentRegionAvail().x;
-  elided_text(is_active(status.phase) ? outlook_text(outlook) : sentence(status.message), width,
+  const std::string ended = sentence(status.message);
+  elided_text(is_active(status.phase) ? outlook_text(outlook) : ended.substr(0, ended.find(':')), width,
               theme::kMuted);
+  if (!is_active(status.phase)) tooltip(ended);
   if (!evidence) return elided_text("Whether the chains agree shows after warm-up", width, theme::kMuted);
   elided_text(agreement_text(*evidence), width, theme::kMuted);
   tooltip(
@@ -119,12 +122,15 @@ void draw_buttons(const PanelContext& context) {
                               : "Another program is making this run; watch it here.");
     return;
   }
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - gap - stop_rules_width();
   if (session.can_go_on()) {
-    if (ImGui::Button("Continue", {-1, 0})) context.commands.push_back([&session] { session.go_on(); });
+    if (ImGui::Button("Continue", {room, 0})) context.commands.push_back([&session] { session.go_on(); });
     tooltip("Draw on in this run; what was drawn is kept");
-    return;
+    ImGui::SameLine();
+    return draw_stop_rules(context);
   }
-  const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const float half = 0.5f * (room - gap);
   ImGui::BeginDisabled(is_over(phase));
   const bool paused = phase == RunPhase::paused;
   if (paused ? primary_button("Resume", {half, 0}) : ImGui::Button("Pause", {half, 0})) {
@@ -135,6 +141,8 @@ void draw_buttons(const PanelContext& context) {
   if (ImGui::Button("Stop", {half, 0})) context.commands.push_back([&session] { session.stop(); });
   tooltip("End the run; what was drawn is kept");
   ImGui::EndDisabled();
+  ImGui::SameLine();
+  draw_stop_rules(context);
 }
 
 }  // namespace
@@ -146,7 +154,7 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect) {
     muted_text(session.has_photo()
                    ? "Press Start: four chains will look for everything this material could be."
                    : "Nothing is running.");
-    return;
+    return draw_stop_rules(context);
   }
   draw_phase(context);
   const std::optional<StopEvidence> evidence = evidence_of(session);

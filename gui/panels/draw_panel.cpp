@@ -44,7 +44,7 @@ void draw_walk(const PanelContext& context, const ShownDraw& shown) {
   const bool starred = shown.draw && model.starred(*shown.draw);
   ImGui::BeginDisabled(!shown.draw);
   if (ImGui::Button(starred ? "Unstar" : "Star")) {
-    context.commands.push_back([&model, draw = *shown.draw, starred] { model.star(draw, !starred); });
+    context.commands.push_back([&model, draw = *shown.draw] { model.toggle_star(draw); });
   }
   tooltip(starred ? "Take the star away (S)" : "Keep this draw in the gallery (S)");
   ImGui::EndDisabled();
