@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "gui/look.h"
 #include "gui/panels/chains_panel.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/help_sheet.h"
@@ -70,7 +71,7 @@ double App::patience() const {
 }
 
 void App::frame(double longest_wait) {
-  if (!dressed_) dress();
+  if (!std::exchange(dressed_, true)) fonts_ = dress(window_, preferences_);
   window_.begin_frame(std::min(patience(), longest_wait));
   take_dropped_files();
   take_in_news();
@@ -154,12 +155,17 @@ void App::note_steps() {
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   // While a note is typed, Esc only ends that.
-  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool in_panel = keyboard_.on();
+  if (keyboard_.follow()) return;
+  const bool in_dialog = dialog_.visible() || palette_.visible() || file_choice_.visible() || help_open_;
+  const bool escape =
+      (in_dialog || !in_panel) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (escape && (!io.WantTextInput || dialog_.visible() || palette_.visible())) handle_escape();
   if (io.WantTextInput || dialog_.visible() || file_choice_.visible() || palette_.visible()) return;
   for (const Action& action : actions_) {
-    const bool pressed = std::ranges::any_of(
-        action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
+    const bool pressed = std::ranges::any_of(action.shortcuts, [&](const Shortcut& shortcut) {
+      return shortcut.pressed(action.repeats) && !(in_panel && shortcut.navigates());
+    });
     if (pressed && action.enabled()) attempt(action.run);
   }
 }
@@ -252,9 +258,8 @@ void App::start_export(const std::filesystem::path& folder) {
 }
 
 void App::star_shown() {
-  ExplorerModel& model = session_.model();
   if (const auto draw = shown_draw(session_).draw) {
-    model.star(*draw, !model.starred(*draw));
+    session_.model().toggle_star(*draw);
   } else {
     banner_.show(ErrorBanner::Kind::notice, "Only a draw can be starred: click one in the plot first.");
   }

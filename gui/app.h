@@ -10,6 +10,7 @@
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
 #include "gui/history.h"
+#include "gui/keyboard_focus.h"
 #include "gui/layout.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/error_banner.h"
@@ -44,6 +45,8 @@ class App {
   void load(const std::filesystem::path& path);
   /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
   void open(const std::filesystem::path& path);
+  /// As open(), and starts a run on a photo as soon as it is there.
+  void open_and_start(const std::filesystem::path& path);
   /// Opens the run that was open when the program was left, at the same draw. @return whether there is one
   bool reopen();
 
@@ -78,10 +81,10 @@ class App {
   std::vector<Action> view_actions();
   std::vector<Action> recent_actions();
   std::vector<Action> run_actions();
+  std::vector<Action> material_actions();
   std::vector<Action> preview_actions();
   std::vector<Action> draw_actions();
   std::vector<Action> plot_actions();
-  void dress();
   void remember();
   void save_preferences();
   void restore_draw();
@@ -113,12 +116,14 @@ class App {
   Preferences preferences_, saved_preferences_;
   std::chrono::steady_clock::time_point saved_at_;
   std::optional<Preferences::DrawPlace> awaited_draw_;  ///< to be selected when it has been read
+  std::size_t looked_at_ = 0;                           ///< draws among which it was not
   Fonts fonts_{};
   bool dressed_ = false;  ///< fonts and colours are as the preferences want them
   Session session_;
   PreviewFeed previews_;
   ExportWorker exporter_;
   PhotoLoader loader_;
+  bool starts_when_loaded_ = false;
   FileDialog dialog_;
   FileChoice file_choice_;
   CommandPalette palette_;
@@ -134,6 +139,7 @@ class App {
   std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
+  KeyboardFocus keyboard_;
   std::vector<Action> actions_;
 };
 

@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/material/registry.h"
 #include "gui/app.h"
 #include "gui/panels/panel.h"
+#include "gui/words.h"
 
 namespace patina {
 
 std::vector<Action> App::make_actions() {
   std::vector<Action> actions = file_actions();
-  for (auto more : {run_actions(), draw_actions(), plot_actions(), preview_actions(), view_actions()})
+  for (auto more :
+       {run_actions(), material_actions(), draw_actions(), plot_actions(), preview_actions(), view_actions()})
     actions.insert(actions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return actions;
 }
@@ -66,6 +69,15 @@ std::vector<Action> App::run_actions() {
       {"Run", "Stop the run", {}, [this] { session_.stop(); }, can_pause},
       {"Run", "Continue the run", {}, [this] { session_.go_on(); }, [this] { return session_.can_go_on(); }},
   };
+}
+
+std::vector<Action> App::material_actions() {
+  std::vector<Action> actions;
+  for (const std::string& name : material_names())
+    actions.push_back({"Material", "Material: " + capitalised(name), {}, [this, name] {
+                         session_.choices().set_material(name);
+                       }});
+  return actions;
 }
 
 std::vector<Action> App::draw_actions() {
@@ -127,7 +139,13 @@ std::vector<Action> App::view_actions() {
     };
   };
   const auto key = [](char letter) { return Shortcut::letter(letter, ImGuiKeyModFlags_Ctrl); };
+  const auto go = [this](int panels) { return [this, panels] { keyboard_.go(panels); }; };
   return {
+      {"Window",
+       "To the next panel by keyboard; then arrows, Space presses, Esc leaves",
+       {Shortcut::function(6)},
+       go(1)},
+      {"Window", "To the panel before", {Shortcut::function(6, ImGuiKeyModFlags_Shift)}, go(-1)},
       {"Window", "Larger text and panels", {key('=')}, scale(1.1f)},
       {"Window", "Smaller text and panels", {key('-')}, scale(1 / 1.1f)},
       {"Window", "Text and panels at their usual size", {key('0')}, scale(0)},
@@ -156,6 +174,11 @@ std::vector<Action> App::preview_actions() {
                      "Mark what is too bright",
                      {Shortcut::letter('C')},
                      [this] { photo_.show_clipped(!photo_.shows_clipped()); },
+                     has_photo});
+  actions.push_back({"Photo",
+                     "Show the square as the run sees it",
+                     {Shortcut::letter('V')},
+                     [this] { photo_.show_seen(!photo_.shows_seen()); },
                      has_photo});
   actions.push_back({"Photo",
                      "Use the middle of the photo",

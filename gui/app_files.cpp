@@ -7,6 +7,7 @@
 namespace patina {
 
 void App::open(const std::filesystem::path& path) {
+  starts_when_loaded_ = false;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     load(path);
@@ -15,17 +16,24 @@ void App::open(const std::filesystem::path& path) {
   }
 }
 
+void App::open_and_start(const std::filesystem::path& path) {
+  attempt([&] { open(path); });
+  starts_when_loaded_ = loader_.busy();
+}
+
 void App::finish_loading() {
   auto outcome = loader_.take();
   if (!outcome) return;
   const PhotoLoader::Request& request = outcome->request;
   if (!outcome->photo) {
     banner_.show(ErrorBanner::Kind::error, outcome->error);
+    starts_when_loaded_ = false;
     // Asked for once more, it would fail again.
     if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
   } else if (!request.crop) {
     session_.open_photo(std::move(*outcome->photo), request.file);
     announce_opened();
+    if (std::exchange(starts_when_loaded_, false)) attempt([this] { session_.start(); });
   } else if (request.file == session_.photo_file()) {
     session_.recrop(std::move(*outcome->photo));
   }

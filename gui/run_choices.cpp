@@ -14,6 +14,8 @@
 namespace patina {
 namespace {
 
+constexpr double kEdge = 1e-3;  // of a prior's range
+
 /// @throws UserError unless it is a distribution that lies about its range
 void check_prior(const std::string& name, const TruncatedNormal& prior) {
   const auto refuse = [&](const std::string& why) {
@@ -67,6 +69,16 @@ void RunChoices::set_capture(const Capture& capture, bool new_gesture) {
   RunSettings changed = settings();
   changed.capture = capture;
   change(std::move(changed), new_gesture);
+}
+
+void RunChoices::set_stop_rules(const StopRules& rules) {
+  if (!(rules.minutes >= 0) || !(rules.ess >= 0) || !(rules.rhat >= 0))
+    throw UserError("When a run ends is told by numbers from 0 up; 0 asks for nothing.");
+  if (rules.rhat > 0 && rules.rhat <= 1)
+    throw UserError("R-hat never falls to 1: ask for 1.01, or for 0 to leave it out.");
+  RunSettings changed = settings();
+  changed.stop = rules;
+  change(std::move(changed), true);
 }
 
 void RunChoices::set_crop(const PhotoCrop& crop, const Capture& capture) {
@@ -127,6 +139,22 @@ ParameterValues RunChoices::typical() const {
     if (const auto choice = table_.find_discrete(name)) values.discrete[*choice] = static_cast<int>(value);
   }
   return values;
+}
+
+RunSettings RunChoices::started_at(const ParameterValues& values) const {
+  RunSettings started = settings();
+  started.start = "values";
+  started.start_at.clear();
+  for (std::size_t i = 0; i < table_.continuous.size(); ++i) {
+    const TruncatedNormal& prior = table_.continuous[i].prior;
+    // At the very ends a chain's own coordinates are infinite.
+    const double edge = kEdge * (prior.high - prior.low);
+    started.start_at[table_.continuous[i].name] =
+        std::clamp(values.continuous[i], prior.low + edge, prior.high - edge);
+  }
+  for (std::size_t i = 0; i < table_.discrete.size(); ++i)
+    started.start_at[table_.discrete[i].name] = values.discrete[i];
+  return started;
 }
 
 bool RunChoices::undo() {

@@ -27,6 +27,8 @@ class RunChoices {
 
   void set_material(const std::string& name);  ///< @throws UserError; locks and priors go
   void set_size_cm(double size_cm);            ///< keeps the field of view
+  /// @throws UserError for rules that no run can reach (a sentence that says why)
+  void set_stop_rules(const StopRules& rules);
   void set_capture(const Capture& capture, bool new_gesture = true);
   /// Another part of the photo, and the geometry that goes with it.
   void set_crop(const PhotoCrop& crop, const Capture& capture);
@@ -49,6 +51,10 @@ class RunChoices {
   std::ptrdiff_t steps() const { return history_.steps(); }  ///< see History
   bool undo();
   bool redo();
+
+  /// The settings of a run whose chains all begin at these values, moved inside the chosen priors' ranges.
+  /// @param values  in the order of table()
+  RunSettings started_at(const ParameterValues& values) const;
 
   /// Whether a run with these settings infers something else than one with the choices: another material or
   /// geometry, other priors or locks.

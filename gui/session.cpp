@@ -87,16 +87,29 @@ void Session::open_run_directory(const std::filesystem::path& directory) {
   choices_ = std::move(choices);
 }
 
-void Session::start() {
+void Session::start() { start(settings()); }
+
+void Session::start_at(const ParameterValues& values) { start(choices_.started_at(values)); }
+
+void Session::start(const RunSettings& settings) {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
   if (!photo_is_current())
     throw UserError("The part of the photo that you chose is still being read: start again in a moment.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
   const auto photo = std::make_shared<const Photo>(*photo_);
-  adopt(factory_.start(settings(), *photo, fresh_run_directory(runs_, photo_name(), settings().material),
-                       wake_));
-  run_photo_ = photo;
+  adopt(factory_.start(settings, *photo, fresh_run_directory(runs_, photo_name(), settings.material), wake_));
+  begin_sitting(photo);
+}
+
+void Session::begin_sitting(std::shared_ptr<const Photo> photo) {
+  run_photo_ = std::move(photo);
+  begun_ = std::chrono::steady_clock::now();
+}
+
+std::optional<double> Session::seconds_spent() const {
+  if (!run_photo_) return std::nullopt;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
 }
 
 void Session::let_run_go() {
@@ -166,7 +179,7 @@ void Session::go_on() {
   settings.stop.ess = settings.stop.rhat = 0;
   const auto photo = run_photo_;
   adopt(factory_.resume(settings, *photo, source_->directory(), wake_));
-  run_photo_ = photo;
+  begin_sitting(photo);
 }
 
 void Session::poll() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -59,6 +60,8 @@ class Session {
   /// Starts a run on the photo in a fresh directory; the run that was open is let go.
   /// @throws UserError if there is no photo or the run cannot start
   void start();
+  /// Likewise, every chain from these values of the chosen material, held to what is assumed of them now.
+  void start_at(const ParameterValues& values);
 
   bool has_run() const { return source_ != nullptr; }
   const DrawSource& run() const { return *source_; }
@@ -66,6 +69,8 @@ class Session {
   void pause();
   void resume();
   void stop();
+  /// Since the run was started or continued here; none for one that was read from its directory.
+  std::optional<double> seconds_spent() const;
 
   /// Whether there is a run of this window that ended and can be gone on with.
   bool can_go_on() const;
@@ -89,8 +94,10 @@ class Session {
   const std::optional<RunSummary>& summary() const { return summary_; }  ///< of the draws after warm-up
 
  private:
+  void start(const RunSettings& settings);
   void open_run_directory(const std::filesystem::path& directory);
   void let_run_go();
+  void begin_sitting(std::shared_ptr<const Photo> photo);
   void adopt(std::unique_ptr<DrawSource> source);
   void load_stars();
 
@@ -99,7 +106,8 @@ class Session {
   std::function<void()> wake_;
   std::optional<Photo> photo_;
   std::filesystem::path photo_file_;
-  std::shared_ptr<const Photo> run_photo_;  ///< of the run that was started here
+  std::shared_ptr<const Photo> run_photo_;       ///< of the run that was started here
+  std::chrono::steady_clock::time_point begun_;  ///< its sitting
   RunChoices choices_;
   ExplorerModel model_;
   RunStatus status_;

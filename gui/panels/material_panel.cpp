@@ -1,6 +1,7 @@
 #include "gui/panels/material_panel.h"
 
 #include "engine/material/registry.h"
+#include "gui/advice.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
@@ -11,7 +12,8 @@ MaterialPanel::MaterialPanel() : materials_(material_names()) {}
 void MaterialPanel::draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown) {
   const PanelScope panel("Material", rect, context, ImGuiWindowFlags_NoScrollbar);
   draw_choices(context);
-  draw_start(context);
+  draw_start(context, shown);
+  draw_advice(context);
   ImGui::Spacing();
   table_.draw(context, shown);
 }
@@ -41,27 +43,51 @@ void MaterialPanel::draw_choices(const PanelContext& context) {
       "it.");
 }
 
-void MaterialPanel::draw_start(const PanelContext& context) {
+void MaterialPanel::draw_start(const PanelContext& context, const ShownDraw& shown) {
   Session& session = context.session;
   ImGui::BeginDisabled(!session.has_photo() || !session.photo_is_current());
-  const ImVec2 size{ImGui::GetContentRegionAvail().x, 0};
-  bool pressed = false;
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   if (session.choices_wait()) {
-    pressed = primary_button("Start afresh with your changes", size);
+    const bool can_go_on = session.run_is_of_choice() && shown.kind != ShownDraw::Kind::typical;
+    if (primary_button("Start afresh", {can_go_on ? 0.5f * (room - gap) : room, 0}))
+      context.commands.push_back([&session] { session.start(); });
+    tooltip(
+        "What you changed takes effect in the next run, which this starts in a directory of its own; the "
+        "draws "
+        "of this one stay on disk.");
+    if (can_go_on) {
+      ImGui::SameLine();
+      if (ImGui::Button("Go on from here", {-1, 0}))
+        context.commands.push_back([&session, values = shown.values] { session.start_at(values); });
+      tooltip("Starts the next run, too, with its chains at the draw that is shown.");
+    }
   } else if (session.has_run()) {
-    pressed = ImGui::Button("Start again with these settings", size);
+    if (ImGui::Button("Start again with these settings", {room, 0}))
+      context.commands.push_back([&session] { session.start(); });
+    tooltip("Starts a new run in a directory of its own; the draws of this one stay on disk.");
   } else {
-    pressed = primary_button("Start", size);
+    if (primary_button("Start", {room, 0})) context.commands.push_back([&session] { session.start(); });
+    tooltip(session.has_photo() ? "Looks for a good match, then draws samples around it."
+                                : "Open a photo first.");
   }
   ImGui::EndDisabled();
-  tooltip(!session.has_photo() ? "Open a photo first."
-          : session.choices_wait()
-              ? "What you changed takes effect in the next run, which this starts in a directory of its own; "
-                "the draws of this one stay on disk."
-          : session.has_run()
-              ? "Starts a new run in a directory of its own; the draws of this one stay on disk."
-              : "Looks for a good match, then draws samples around it.");
-  if (pressed) context.commands.push_back([&session] { session.start(); });
+}
+
+void MaterialPanel::draw_advice(const PanelContext& context) {
+  const auto loose = loosest(context.session);
+  if (!loose) return;
+  const char* hold = "Hold it";
+  const float room = ImGui::GetContentRegionAvail().x - button_width(hold) - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::AlignTextToFramePadding();
+  elided_text("The photo does not pin down " + parameter_label(loose->name), room, theme::kWarning);
+  align_right(button_width(hold));
+  if (ImGui::Button(hold)) {
+    RunChoices& choices = context.session.choices();
+    context.commands.push_back([&choices, at = *loose] { choices.lock(at.name, at.value); });
+  }
+  tooltip("Locks it where its draws lie on average, " + number_text(loose->value) +
+          ", for the next run: one parameter less to infer, at nothing that this photo could tell. Choose "
+          "another value by taste: select a draw and click the lock.");
 }
 
 }  // namespace patina

@@ -18,7 +18,8 @@ class MaterialPanel {
 
  private:
   void draw_choices(const PanelContext& context);
-  void draw_start(const PanelContext& context);
+  void draw_start(const PanelContext& context, const ShownDraw& shown);
+  void draw_advice(const PanelContext& context);
 
   std::vector<std::string> materials_;
   ParameterTableView table_;

@@ -47,6 +47,12 @@ void tooltip(const std::string& text);
 /// A button in the accent colour: what to do next.
 bool primary_button(const char* label, ImVec2 size = {0, 0});
 
+/// A button that shows what is drawn over it, and whether the keys are on it.
+bool picture_button(const char* id, ImVec2 size);
+
+/// Where the mouse draws, drags and clicks; keys pass it over.
+void mouse_area(const char* id, ImVec2 size, ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft);
+
 /// One of a few buttons of which one is on; the others are plain text.
 bool toggle_button(const char* label, bool on);
 

@@ -25,6 +25,8 @@ class PhotoPanel {
 
   void show_clipped(bool shown) { shows_clipped_ = shown; }
   bool shows_clipped() const { return shows_clipped_; }
+  void show_seen(bool shown) { shows_seen_ = shown; }  ///< the square as coarse as the run compares it
+  bool shows_seen() const { return shows_seen_; }
 
   /// Where the photo was in the last frame.
   const Rect& place() const { return place_; }
@@ -36,6 +38,7 @@ class PhotoPanel {
   void draw_controls(const PanelContext& context);
   void draw_picture(const PanelContext& context, const Rect& room);
   void draw_square(const PhotoCrop& crop, float scale) const;
+  void draw_seen(const Session& session);
   void handle_drag(const PanelContext& context, float scale);
 
   const Gl& gl_;
@@ -46,6 +49,9 @@ class PhotoPanel {
   std::pair<int, int> compared_version_{0, 0};  ///< run and photo
   double clipped_share_ = 0;                    ///< of the picture's pixels
   bool shows_clipped_ = false;
+  std::optional<Texture> seen_;
+  std::pair<int, int> seen_version_{0, 0};  ///< photo and pixels a side
+  bool shows_seen_ = false;
   Rect place_;
   CropHandle handle_ = CropHandle::none;  ///< while it is dragged
   PhotoCrop start_, dragged_;

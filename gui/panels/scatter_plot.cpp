@@ -215,8 +215,8 @@ std::optional<std::size_t> ScatterPlot::hit(const ExplorerModel& model, float re
 void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
   ExplorerModel& model = session.model();
   ImGui::SetCursorScreenPos({view_.left, view_.top});
-  ImGui::InvisibleButton("plot", {view_.width, view_.height},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  mouse_area("plot", {view_.width, view_.height},
+             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   // The second click of two is an order to show all.
   if (marking_.handle(model, contents_.x, contents_.y, view_, tool) &&

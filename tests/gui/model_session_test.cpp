@@ -5,11 +5,13 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <random>
 #include <thread>
 
 #include "engine/error.h"
 #include "engine/io/image_file.h"
 #include "engine/material/registry.h"
+#include "gui/advice.h"
 #include "gui/session.h"
 #include "gui/shown_draw.h"
 #include "tests/gui/fake_source.h"
@@ -75,6 +77,62 @@ TEST_F(SessionTest, StartsARunOfTheChosenMaterialInADirectoryNamedAfterThePhoto)
   const auto directory = session_.run().directory();
   EXPECT_EQ(directory.parent_path(), folder_.path() / "runs");
   EXPECT_TRUE(directory.filename().string().starts_with("oak door-leather-")) << directory;
+}
+
+TEST_F(SessionTest, GoesOnFromADrawWithEveryChainInsideWhatIsAssumedNow) {
+  session_.open(photo_);
+  RunChoices& choices = session_.choices();
+  const ParameterTable& table = choices.table();
+  ParameterValues values = prior_location(table);
+  const std::size_t rough = *table.find_continuous("rough");
+  values.continuous[rough] = 0.9;
+  choices.set_prior("rough", {0.3, 0.1, 0.2, 0.4}, true);
+  choices.lock("light", 1000);
+  session_.start_at(values);
+  EXPECT_EQ(started_.start, "values");
+  EXPECT_LT(started_.start_at.at("rough"), 0.4);
+  EXPECT_GT(started_.start_at.at("rough"), 0.399);
+  EXPECT_EQ(started_.start_at.at("albedo_r"), values.continuous[*table.find_continuous("albedo_r")]);
+  EXPECT_EQ(started_.fixed.at("light"), 1000);
+  session_.start();
+  EXPECT_EQ(started_.start, "map") << "to start afresh forgets it";
+}
+
+TEST_F(SessionTest, TellsWhichParameterThePhotoLeavesOpen) {
+  session_.open(photo_);
+  session_.start();
+  // The prior of both is N(0.5, 0.2): the draws of rough are spread like it, those of fsigma much less.
+  std::mt19937 rng(3);
+  std::normal_distribution<double> normal;
+  int made = 0;
+  const auto feed = [&](int count) {
+    std::vector<Draw> draws;
+    for (int i = 0; i < count; ++i, ++made) {
+      draws.push_back(draw_at(std::clamp(0.5 + 0.2 * normal(rng), 0.0, 1.0), 0.5 + 0.02 * normal(rng), 0,
+                              false, made % 4));
+      draws.back().iteration = made / 4;
+    }
+    run_->feed(draws);
+  };
+  const auto judged = [&](std::int64_t draws) {
+    session_.poll();
+    return session_.summary() && session_.summary()->chains.front().draws == draws / 4;
+  };
+  const auto wait = [&](std::int64_t draws) {
+    for (int i = 0; i < 1500 && !judged(draws); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return judged(draws);
+  };
+  feed(40);
+  ASSERT_TRUE(wait(40));
+  EXPECT_FALSE(loosest(session_)) << "too few draws to say so";
+  feed(1160);
+  ASSERT_TRUE(wait(1200));
+  ASSERT_TRUE(loosest(session_));
+  EXPECT_EQ(loosest(session_)->name, "rough");
+  EXPECT_NEAR(loosest(session_)->value, 0.5, 5 * 0.2 / std::sqrt(1200));
+  session_.choices().lock("rough", loosest(session_)->value);
+  EXPECT_FALSE(loosest(session_)) << "what is held needs no advice";
 }
 
 TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {

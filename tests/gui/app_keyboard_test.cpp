@@ -1,0 +1,70 @@
+#include "gui/layout.h"
+#include "tests/gui/app_fixture.h"
+
+namespace patina::testing {
+namespace {
+
+/// Hands that have no mouse.
+class AppKeyboard : public AppTest {
+ protected:
+  static constexpr int kF6 = 295;  // as GLFW has it
+
+  void tap(ImGuiKey key) { press(ImGui::GetKeyIndex(key)); }
+  void go_to_panel(int panels) {
+    for (int i = 0; i < std::abs(panels); ++i)
+      press(kF6, panels < 0 ? ImGuiKeyModFlags_Shift : ImGuiKeyModFlags_None);
+  }
+  const RunChoices& choices() const { return app_.session().choices(); }
+};
+
+TEST_F(AppKeyboard, InAPanelArrowsGoThroughItsButtonsAndSpacePressesThem) {
+  start_run_of({draw(0.3, 0.5, -2), draw(0.4, 0.5, -1), draw(0.5, 0.5, -3)});
+  go_to_panel(-1);  // the last: the draw that is shown
+  tap(ImGuiKey_RightArrow);
+  tap(ImGuiKey_RightArrow);
+  EXPECT_FALSE(app_.session().model().selected()) << "arrows walk through the buttons, not the draws";
+  tap(ImGuiKey_Space);
+  EXPECT_EQ(app_.session().model().selected(), 1u) << "Best";
+  EXPECT_EQ(run_->pauses, 0) << "Space does not pause meanwhile";
+  tap(ImGuiKey_Escape);
+  EXPECT_EQ(app_.session().model().selected(), 1u) << "Esc leaves the panel and lets go of nothing";
+  tap(ImGuiKey_RightArrow);
+  EXPECT_EQ(app_.session().model().selected(), 0u) << "arrows walk through the draws again";
+}
+
+TEST_F(AppKeyboard, LocksAParameterWithoutAMouse) {
+  start_run_of({draw(0.3, 0.5, -2)});
+  go_to_panel(5);
+  for (int i = 0; i < 2; ++i) tap(ImGuiKey_DownArrow);  // past Start, to the table
+  tap(ImGuiKey_Space);                                  // into it
+  tap(ImGuiKey_DownArrow);                              // past its headings
+  tap(ImGuiKey_Space);
+  EXPECT_EQ(choices().settings().fixed.size(), 1u);
+  tap(ImGuiKey_Space);
+  EXPECT_TRUE(choices().settings().fixed.empty());
+}
+
+TEST_F(AppKeyboard, ShowsWhereTheKeysAreAndAClickHidesItAgain) {
+  start_run_of({draw(0.3, 0.5, -2)});
+  const Rect panel = lay_out(ImGui::GetIO().DisplaySize, {}, ImGui::GetFontSize()).draw;
+  const auto picture = [&] { return part_of(window_->screenshot(), panel); };
+  window_->move_mouse(640, 20);
+  answer_input();
+  const Image before = picture();
+  go_to_panel(-1);
+  EXPECT_GT(mean_difference(picture(), before), 0) << "a frame around the first button";
+  click({640, 20});
+  EXPECT_EQ(mean_difference(picture(), before), 0);
+}
+
+TEST_F(AppKeyboard, ChoosesFromAListWithoutAMouse) {
+  start_run_of({draw(0.3, 0.5, -2)});
+  go_to_panel(5);
+  tap(ImGuiKey_Space);
+  tap(ImGuiKey_DownArrow);
+  tap(ImGuiKey_Space);
+  EXPECT_NE(choices().settings().material, "bump");
+}
+
+}  // namespace
+}  // namespace patina::testing
