@@ -1,0 +1,127 @@
+#include "engine/run/rank_materials.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+
+#include "engine/material/registry.h"
+#include "engine/run/material_evidence.h"
+#include "engine/run/ranking_words.h"
+#include "engine/run/run_checks.h"
+#include "engine/run/run_control.h"
+#include "engine/run/threads.h"
+
+namespace patina {
+namespace {
+
+// What is so far behind in the first cut is not measured again, nats.
+constexpr double kHopeless = 12;
+
+RankSettings completed(RankSettings settings) {
+  check_resolution(settings.resolution);
+  check_capture(settings.capture);
+  if (settings.materials.empty()) settings.materials = material_names();
+  if (settings.summary.empty()) settings.summary = common_summary(settings.materials);
+  if (settings.threads <= 0) settings.threads = hardware_threads();
+  return settings;
+}
+
+/// Passes on the share of all work that is done, from several threads one at a time.
+class Report {
+ public:
+  using Progress = std::function<void(double, const std::string&)>;
+  explicit Report(const Progress& progress) : progress_(progress) {}
+
+  void operator()(double fraction, const std::string& doing) {
+    const std::lock_guard lock(mutex_);
+    furthest_ = std::max(furthest_, std::min(fraction, 1.0));
+    if (progress_) progress_(furthest_, doing);
+  }
+
+ private:
+  const Progress& progress_;
+  std::mutex mutex_;
+  double furthest_ = 0;
+};
+
+class Ranking {
+ public:
+  Ranking(const Image& photo, const RankSettings& settings, RunControl& control, Report& report)
+      : settings_(settings), control_(control), report_(report) {
+    for (const std::string& name : settings.materials)
+      candidates_.push_back(std::make_unique<MaterialEvidence>(name, settings, photo));
+  }
+
+  MaterialRanking run() {
+    const double first_cut = settings_.finalists > 0 ? 0.4 : 1;
+    work_through(0, first_cut, "looking for a match in ", &MaterialEvidence::search);
+    drop_the_hopeless();
+    if (settings_.finalists > 0) work_through(first_cut, 1, "weighing ", &MaterialEvidence::measure);
+    MaterialRanking ranking;
+    for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
+    for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());
+    put_in_order(ranking.materials);
+    ranking.summary = settings_.summary;
+    ranking.sentence = in_words(ranking);
+    return ranking;
+  }
+
+ private:
+  using Stage = void (MaterialEvidence::*)(int, RunControl&, const std::function<void(double)>&);
+
+  void work_through(double from, double to, const std::string& doing, Stage stage) {
+    const auto count = static_cast<double>(candidates_.size());
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const std::string what = doing + candidates_[i]->ranked().material;
+      (*candidates_[i].*stage)(settings_.threads, control_, [&](double fraction) {
+        report_(from + (to - from) * (static_cast<double>(i) + fraction) / count, what);
+      });
+    }
+  }
+
+  /// Keeps the finalists: none where the first is far ahead of all others.
+  void drop_the_hopeless() {
+    std::ranges::stable_sort(candidates_, std::greater(),
+                             [](const auto& c) { return c->ranked().log_evidence; });
+    const double best = candidates_.front()->ranked().log_evidence;
+    const auto in_the_running = std::ranges::count_if(
+        candidates_, [&](const auto& c) { return c->ranked().log_evidence > best - kHopeless; });
+    const auto kept = in_the_running < 2 ? 0 : std::min<std::ptrdiff_t>(in_the_running, settings_.finalists);
+    for (auto c = candidates_.begin() + kept; c != candidates_.end(); ++c) dropped_.push_back(std::move(*c));
+    candidates_.resize(static_cast<std::size_t>(kept));
+  }
+
+  const RankSettings& settings_;
+  RunControl& control_;
+  Report& report_;
+  std::vector<std::unique_ptr<MaterialEvidence>> candidates_, dropped_;
+};
+
+}  // namespace
+
+std::string common_summary(const std::vector<std::string>& materials) {
+  std::vector<std::string> names;
+  for (const std::string& material : materials) {
+    const std::string name = material_table(material).summary;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : "+") + name;
+  return joined;
+}
+
+std::optional<MaterialRanking> rank_materials(
+    const Image& photo, const RankSettings& settings,
+    const std::function<void(double fraction, const std::string& doing)>& progress, std::stop_token stop) {
+  const RankSettings complete = completed(settings);
+  RunControl control;
+  const std::stop_callback pass_on(std::move(stop), [&] { control.stop(); });
+  Report report(progress);
+  try {
+    return Ranking(photo, complete, control, report).run();
+  } catch (const RunStopped&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace patina
