@@ -62,6 +62,19 @@ Json map_json(const DrawSource& run, const RunStatus& status) {
   return {{"values", Json::parse(params_to_json(run.table(), *status.best))}, {"lp", number(status.best_lp)}};
 }
 
+/// What the run and its draws say against themselves.
+Alarms all_alarms(const DrawSource& run, const RunSummary& summary) {
+  Alarms alarms = run.status().alarms;
+  alarms.insert(alarms.end(), summary.alarms.begin(), summary.alarms.end());
+  return alarms;
+}
+
+Json alarms_json(const Alarms& alarms) {
+  Json json = Json::array();
+  for (const Alarm& alarm : alarms) json.push_back({{"name", alarm.name}, {"sentence", alarm.sentence}});
+  return json;
+}
+
 /// Four significant digits, right-aligned; a dash where there is no number.
 std::string cell(double value, int width = 10) {
   char text[32];
@@ -109,6 +122,7 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
           {"parameters", parameters},
           {"directions", directions},
           {"verdict", verdict(summary)},
+          {"alarms", alarms_json(all_alarms(run, summary))},
           {"chains", chains}};
 }
 
@@ -128,6 +142,7 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
             " draws, acceptance " + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
             " divergences\n";
   text += verdict(summary) + "\n";
+  for (const Alarm& alarm : all_alarms(run, summary)) text += "Mind: " + alarm.sentence + "\n";
   return text;
 }
 

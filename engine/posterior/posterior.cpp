@@ -71,10 +71,14 @@ struct Posterior::Parts {
     return (*summary)(photograph(surface, settings.capture, settings.resolution, DisplayCurve::srgb));
   }
 
+  /// (render - photo) / sigma, with its graph.
+  at::Tensor residual(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
+    return (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
+  }
+
   /// Half the chi-square of the render's summary, a double scalar with its graph.
   at::Tensor misfit(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    const at::Tensor residual = (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
-    return residual.to(at::kDouble).square().sum() * 0.5;
+    return residual(parameters, discrete).to(at::kDouble).square().sum() * 0.5;
   }
 
   /// Parameter values as leaves of a graph; only those whose gradient is wanted ask for one.
@@ -126,6 +130,14 @@ Eigen::VectorXd Posterior::predicted(const Position& position) const {
           .to(at::kDouble)
           .contiguous();
   return Eigen::Map<const Eigen::VectorXd>(whitened.data_ptr<double>(), whitened.numel());
+}
+
+std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
+  const at::NoGradGuard no_grad;
+  const ParameterValues values = parts_->space.values(position);
+  const PosteriorSettings& s = parts_->settings;
+  return block_misfits(parts_->residual(parts_->leaves(values, false), values.discrete),
+                       parts_->summary->blocks(), s.gram_sigma, s.mean_sigma);
 }
 
 Posterior Posterior::given(const Eigen::VectorXd& observed) const {

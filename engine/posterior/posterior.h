@@ -5,10 +5,12 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/image.h"
 #include "engine/material/capture.h"
 #include "engine/material/parameter.h"
+#include "engine/posterior/misfit.h"
 #include "engine/sampling/log_density.h"
 
 namespace patina {
@@ -60,6 +62,9 @@ class Posterior final : public LogDensity {
   /// stay those of the photo that this posterior was made for, so that predicted() + N(0, I) is a draw from
   /// its sampling distribution to the letter.
   Posterior given(const Eigen::VectorXd& observed) const;
+
+  /// How far the render at a position is from the photo, part by part of the summary.
+  std::vector<BlockMisfit> misfit(const Position& position) const;
 
   /// All parameters, with the priors in force; fixed ones included.
   const ParameterTable& table() const;

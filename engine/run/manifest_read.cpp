@@ -158,6 +158,13 @@ MapPoint map_point(const Json& json, const ParameterTable& table) {
   return map;
 }
 
+Alarms alarms(const Json& json) {
+  Alarms alarms;
+  for (const Json& item : list(json, "alarms"))
+    alarms.push_back({text(item, "name"), text(item, "sentence")});
+  return alarms;
+}
+
 std::vector<double> numbers(const Json& json, const char* key) {
   std::vector<double> result;
   for (const Json& item : list(json, key)) {
@@ -204,6 +211,7 @@ Manifest manifest(const Json& json) {
   if (json.contains("basins"))
     for (const Json& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));
   if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
+  if (json.contains("alarms")) m.alarms = alarms(json);
   if (json.contains("evidence")) m.evidence = evidence(json["evidence"]);
   return m;
 }

@@ -70,6 +70,12 @@ Json photo_json(const Manifest& m) {
   return json;
 }
 
+Json alarms_json(const Alarms& alarms) {
+  Json json = Json::array();
+  for (const Alarm& alarm : alarms) json.push_back({{"name", alarm.name}, {"sentence", alarm.sentence}});
+  return json;
+}
+
 Json evidence_json(const std::optional<StopEvidence>& evidence) {
   if (!evidence) return nullptr;
   return {{"draws", evidence->draws},
@@ -95,6 +101,7 @@ std::string to_json(const Manifest& m) {
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
       {"map", map_json(m)},
       {"basins", basins_json(m)},
+      {"alarms", alarms_json(m.alarms)},
       {"seconds",
        {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
       {"evidence", evidence_json(m.evidence)}};

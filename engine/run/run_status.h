@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/material/parameter.h"
+#include "engine/run/alarm.h"
 
 namespace patina {
 
@@ -26,6 +27,7 @@ struct RunStatus {
   std::optional<ParameterValues> best;  ///< the best point found so far by the search; then the MAP
   double best_lp = 0;
   std::vector<ChainStatus> chains;
+  Alarms alarms;                ///< of the photo and its best match; those of the draws say summarize_draws()
   double draws_per_second = 0;  ///< all chains together, over the last few seconds
 };
 

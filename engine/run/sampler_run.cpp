@@ -16,6 +16,7 @@
 #include "engine/run/manifest_phase.h"
 #include "engine/run/network_checksum.h"
 #include "engine/run/posterior_settings.h"
+#include "engine/run/run_alarms.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_state.h"
@@ -173,6 +174,8 @@ void SamplerRun::run_to_the_end() {
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
   if (!found.basins.empty()) manifest_.basins = found.basins;
+  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position);
+  shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(found);

@@ -12,6 +12,7 @@
 #include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/principal_directions.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/run/draw_alarms.h"
 
 namespace patina {
 namespace {
@@ -126,15 +127,14 @@ std::vector<DirectionSummary> summarize_directions(const Chains& chains, const P
   return summaries;
 }
 
-/// The energies of the draws that trajectories made; where no kernel makes any, -lp of all draws.
-std::vector<double> energies_of(const std::vector<const Draw*>& draws) {
+/// The energies of the draws that trajectories made; empty where no kernel makes any.
+std::vector<double> trajectory_energies(const std::vector<const Draw*>& draws) {
   constexpr std::size_t kFewest = 4;
-  std::vector<double> of_trajectories, of_all;
-  for (const Draw* draw : draws) {
-    of_all.push_back(-draw->lp);
-    if (std::isfinite(draw->energy) && draw->energy != -draw->lp) of_trajectories.push_back(draw->energy);
-  }
-  return of_trajectories.size() < kFewest ? of_all : of_trajectories;
+  std::vector<double> energies;
+  for (const Draw* draw : draws)
+    if (std::isfinite(draw->energy) && draw->energy != -draw->lp) energies.push_back(draw->energy);
+  if (energies.size() < kFewest) energies.clear();
+  return energies;
 }
 
 ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
@@ -147,7 +147,10 @@ ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
     s.divergences += draw->divergent;
   }
   s.acceptance = acceptance / static_cast<double>(draws.size());
-  const std::vector<double> energy = energies_of(draws);
+  std::vector<double> energy = trajectory_energies(draws);
+  s.has_trajectories = !energy.empty();
+  if (energy.empty())
+    for (const Draw* draw : draws) energy.push_back(-draw->lp);
   s.ebfmi = ebfmi(Eigen::Map<const Eigen::VectorXd>(energy.data(), std::ssize(energy)));
   return s;
 }
@@ -173,6 +176,7 @@ RunSummary summarize_draws(const ParameterTable& table, const std::vector<Draw>&
   summary.directions = summarize_directions(chains, table);
   for (std::size_t k = 0; k < chains.size(); ++k)
     summary.chains.push_back(summarize_chain(static_cast<int>(k), chains[k]));
+  summary.alarms = draw_alarms(table, summary, chains);
   return summary;
 }
 

@@ -21,7 +21,7 @@ QuantitySummary quantity(const std::string& name, double bulk, double tail, doub
 TEST(StopRulesTest, TheWorstFiguresAreThoseOfIdentifiedParametersAndNamed) {
   RunSummary summary;
   summary.quantities = {quantity("lp", 500, 450, 1.002, NAN), quantity("rough", 300, 420, 1.001, 0.2),
-                        quantity("light", 900, 410, 1.03, 0.5), quantity("free", 5, 5, 2, 0.99),
+                        quantity("light", 900, 410, 1.03, 0.5), quantity("free", 5, 5, 1.09, 0.99),
                         quantity("still", 100, 100, NAN, 0)};
   summary.chains = {{0, 700}, {1, 650}};
   const StopEvidence evidence = stop_evidence(summary);
