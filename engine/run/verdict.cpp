@@ -7,8 +7,6 @@
 namespace patina {
 namespace {
 
-constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
-
 /// At most 1 when the quantity is good: the R-hat's excess or the lack of effective draws, whichever is
 /// worse.
 double badness(const QuantitySummary& q) {
