@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/params_json.h"
+#include "engine/material/off_values.h"
+#include "engine/run/advice.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/verdict.h"
 
@@ -49,6 +51,22 @@ Json chain_json(const ChainSummary& c) {
           {"acceptance", number(c.acceptance)},
           {"divergences", c.divergences},
           {"ebfmi", number(c.ebfmi)}};
+}
+
+Json advice_json(const ParameterAdvice& a) {
+  return {{"name", a.name},
+          {"identified", a.identified},
+          {"redundant_with", a.redundant_with.empty() ? Json(nullptr) : Json(a.redundant_with)},
+          {"off", a.off ? Json{{"value", a.off->value},
+                               {"times_likelier", number(a.off->ratio)},
+                               {"error", number(a.off->error)}}
+                        : Json(nullptr)},
+          {"freeze_at", a.freeze_at ? number(*a.freeze_at) : Json(nullptr)},
+          {"sentence", a.sentence}};
+}
+
+std::vector<ParameterAdvice> advice_of(const DrawSource& run, const std::vector<Draw>& draws) {
+  return advise(run.table(), draws, off_values(run.table().material));
 }
 
 std::int64_t total_draws(const RunSummary& summary) {
@@ -106,12 +124,14 @@ std::string direction_line(const DirectionSummary& d) {
 Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
   const RunStatus status = run.status();
   const RunSummary summary = summarize_draws(run.table(), draws);
-  Json parameters = Json::object(), directions = Json::array(), chains = Json::array();
+  Json parameters = Json::object(), directions = Json::array(), chains = Json::array(),
+       advice = Json::array();
   for (std::size_t i = 1; i < summary.quantities.size(); ++i)
     parameters[summary.quantities[i].name] = quantity_json(summary.quantities[i]);
   for (const DirectionSummary& direction : summary.directions)
     directions.push_back(direction_json(direction, run.table()));
   for (const ChainSummary& chain : summary.chains) chains.push_back(chain_json(chain));
+  for (const ParameterAdvice& a : advice_of(run, draws)) advice.push_back(advice_json(a));
   return {{"directory", run.directory().string()},
           {"phase", phase_word(status.phase)},
           {"message", status.message},
@@ -123,6 +143,7 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
           {"directions", directions},
           {"verdict", verdict(summary)},
           {"alarms", alarms_json(all_alarms(run, summary))},
+          {"advice", advice},
           {"chains", chains}};
 }
 
@@ -143,6 +164,8 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
             " divergences\n";
   text += verdict(summary) + "\n";
   for (const Alarm& alarm : all_alarms(run, summary)) text += "Mind: " + alarm.sentence + "\n";
+  for (const ParameterAdvice& a : advice_of(run, draws))
+    if (!a.sentence.empty()) text += a.sentence + "\n";
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/run/material_evidence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,11 +12,13 @@
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/sequential.h"
+#include "engine/summary/summary.h"
 
 namespace patina {
 namespace {
 
-constexpr int kCoarser = 2;  ///< the search begins at so many times fewer pixels a side
+/// The search begins at half as many pixels a side.
+int coarser(int resolution) { return std::max(resolution / 2, kLeastRankResolution); }
 
 std::map<std::string, TruncatedNormal> camera_priors(const std::string& material, const Capture& capture) {
   const ParameterTable table = material_table(material);
@@ -42,13 +45,29 @@ PosteriorSettings posterior_settings(const std::string& material, const RankSett
   return posterior;
 }
 
+/// Half the chi-square that the hand-set errors stand for (error_model.h): half a nat for the whole of a Gram
+/// matrix or a spectrum, and for each of the 12 mean colours that regional errors were set for.
+double expected_misfit(const RankSettings& settings) {
+  double expected = 0;
+  for (const SummaryBlock& block : make_summary(settings.summary, settings.network)->blocks())
+    expected += block.scale == ErrorScale::regional ? 6 : 0.5;
+  return expected;
+}
+
+double half_chi_square(const Evaluation& at, const Position& position) {
+  return -(at.log_density + 0.5 * position.continuous.squaredNorm());
+}
+
 }  // namespace
 
 MaterialEvidence::MaterialEvidence(const std::string& material, const RankSettings& settings,
                                    const Image& photo)
     : settings_(settings),
-      coarse_(posterior_settings(material, settings, settings.resolution / kCoarser), photo),
-      posterior_(posterior_settings(material, settings, settings.resolution), photo) {}
+      photo_(photo),
+      coarse_(posterior_settings(material, settings, coarser(settings.resolution)), photo),
+      posterior_(posterior_settings(material, settings, settings.resolution), photo),
+      best_(posterior_.position(prior_location(posterior_.table()))),
+      expected_misfit_(expected_misfit(settings)) {}
 
 void MaterialEvidence::search(int threads, RunControl& control, const std::function<void(double)>& progress) {
   const Stopwatch stopwatch(seconds_);
@@ -63,6 +82,7 @@ void MaterialEvidence::search(int threads, RunControl& control, const std::funct
   Rng rng(settings_.seed, 0);
   const MapSearchResult result = search_map({&coarse, &target}, rng, search);
   best_ = result.best.position;
+  misfit_ = half_chi_square(result.best.evaluation, best_);
   std::vector<NormalBasin> basins;
   for (const OptimizerResult& basin : result.basins)
     if (std::isfinite(basin.evaluation.log_density))
@@ -76,7 +96,7 @@ void MaterialEvidence::measure(int threads, RunControl& control,
   const Stopwatch stopwatch(seconds_);
   const ControlledDensity target(posterior_, control);
   SequentialSettings sequential;
-  sequential.particles = 32;
+  sequential.particles = settings_.particles;
   sequential.correlation = 0.3;
   sequential.most_moves = 24;
   sequential.seed = settings_.seed;
@@ -87,14 +107,29 @@ void MaterialEvidence::measure(int threads, RunControl& control,
   evidence_ = sample_sequentially(target, *kernel, sequential).evidence;
 }
 
+void MaterialEvidence::compare_samples() {
+  constexpr int kSamples = 3;
+  const Eigen::VectorXd own = posterior_.predicted(best_);
+  double total = 0;
+  for (int i = 1; i <= kSamples; ++i) {
+    RankSettings other = settings_;
+    other.z_seed += static_cast<std::uint64_t>(i);
+    const Posterior sample(posterior_settings(posterior_.table().material, other, other.resolution), photo_);
+    total += 0.5 * (sample.predicted(best_) - own).squaredNorm() / kSamples;
+  }
+  misfit_of_another_sample_ = std::sqrt(total / expected_misfit_);
+}
+
 RankedMaterial MaterialEvidence::ranked() const {
   const ParameterTable& table = posterior_.table();
   RankedMaterial ranked;
   ranked.material = table.material;
   ranked.parameters = static_cast<int>(table.continuous.size() + table.discrete.size());
   ranked.log_evidence = evidence_.value;
-  ranked.error = evidence_.error;
+  if (std::isfinite(evidence_.error)) ranked.error = evidence_.error;
   ranked.match = posterior_.values(best_);
+  ranked.misfit = std::sqrt(misfit_ / expected_misfit_);
+  ranked.misfit_of_another_sample = misfit_of_another_sample_;
   ranked.seconds = seconds_;
   return ranked;
 }

@@ -19,7 +19,7 @@ namespace patina {
 /// is scaled with the square of the camera's distance, so that exposure has the same prior whatever the size.
 class MaterialEvidence {
  public:
-  /// @throws UserError
+  /// @param photo  outlives this   @throws UserError
   MaterialEvidence(const std::string& material, const RankSettings& settings, const Image& photo);
 
   /// A search from draws of the prior, coarse first, and Laplace's approximation in the basins that it ends
@@ -30,13 +30,19 @@ class MaterialEvidence {
   /// Sequential Monte Carlo. @throws RunStopped
   void measure(int threads, RunControl& control, const std::function<void(double)>& progress);
 
+  /// How far renders with other irregularities are from that of the best match, on the average.
+  void compare_samples();
+
   RankedMaterial ranked() const;
 
  private:
   RankSettings settings_;
+  const Image& photo_;
   Posterior coarse_, posterior_;
   LogEvidence evidence_;
-  Position best_;
+  Position best_;                        ///< the prior's means before a search
+  double expected_misfit_, misfit_ = 0;  ///< half chi-squares
+  std::optional<double> misfit_of_another_sample_;
   double seconds_ = 0;
 };
 

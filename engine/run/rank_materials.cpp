@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "engine/error.h"
 #include "engine/material/registry.h"
 #include "engine/run/material_evidence.h"
 #include "engine/run/ranking_words.h"
@@ -17,9 +18,18 @@ namespace {
 // What is so far behind in the first cut is not measured again, nats.
 constexpr double kHopeless = 12;
 
-RankSettings completed(RankSettings settings) {
+void check(const RankSettings& settings) {
+  if (settings.resolution < kLeastRankResolution)
+    throw UserError("Materials are compared at " + std::to_string(kLeastRankResolution) +
+                    " pixels a side or more: choose a larger resolution.");
   check_resolution(settings.resolution);
   check_capture(settings.capture);
+  for (auto name = settings.materials.begin(); name != settings.materials.end(); ++name)
+    if (std::find(settings.materials.begin(), name, *name) != name)
+      throw UserError("The material '" + *name + "' is named twice: name each once.");
+}
+
+RankSettings completed(RankSettings settings) {
   if (settings.materials.empty()) settings.materials = material_names();
   if (settings.summary.empty()) settings.summary = common_summary(settings.materials);
   if (settings.threads <= 0) settings.threads = hardware_threads();
@@ -61,6 +71,7 @@ class Ranking {
     for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
     for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());
     put_in_order(ranking.materials);
+    compare_samples(ranking.materials.front());
     ranking.summary = settings_.summary;
     ranking.sentence = in_words(ranking);
     return ranking;
@@ -77,6 +88,15 @@ class Ranking {
         report_(from + (to - from) * (static_cast<double>(i) + fraction) / count, what);
       });
     }
+  }
+
+  void compare_samples(RankedMaterial& first) {
+    for (auto* group : {&candidates_, &dropped_})
+      for (const auto& candidate : *group) {
+        if (candidate->ranked().material != first.material) continue;
+        candidate->compare_samples();
+        first.misfit_of_another_sample = candidate->ranked().misfit_of_another_sample;
+      }
   }
 
   /// Keeps the finalists: none where the first is far ahead of all others.
@@ -113,6 +133,7 @@ std::string common_summary(const std::vector<std::string>& materials) {
 std::optional<MaterialRanking> rank_materials(
     const Image& photo, const RankSettings& settings,
     const std::function<void(double fraction, const std::string& doing)>& progress, std::stop_token stop) {
+  check(settings);
   const RankSettings complete = completed(settings);
   RunControl control;
   const std::stop_callback pass_on(std::move(stop), [&] { control.stop(); });

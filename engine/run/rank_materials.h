@@ -22,6 +22,7 @@ struct RankSettings {
   std::string summary;            ///< the same for all; empty: common_summary()
   std::filesystem::path network;  ///< empty: the bundled one
   int finalists = 3;              ///< so many of the best are measured again, with an error; 0: none
+  int particles = 32;             ///< of each of the four islands that measure with
   int threads = 0;                ///< 0: as many as the machine has
   std::uint64_t seed = 1;
   std::uint64_t z_seed = 1;
@@ -31,13 +32,18 @@ struct RankSettings {
 struct RankedMaterial {
   std::string material;
   int parameters = 0;  ///< free ones, discrete included: of two that explain alike, fewer are preferred
-  /// Natural logarithm of the likelihood's mean over the prior, constants that all materials share dropped,
-  /// and its Monte Carlo standard deviation; NaN for those that only the first cut has seen (Laplace).
+  /// Natural logarithm of the likelihood's mean over the prior, constants that all materials share dropped.
   double log_evidence = 0;
-  double error = 0;
-  double probability = 0;  ///< among the materials compared, all equally likely beforehand
-  ParameterValues match;   ///< the best that was found
-  double seconds = 0;      ///< of the wall clock
+  std::optional<double> error;  ///< its Monte Carlo standard deviation; none of the first cut's (Laplace)
+  double probability = 0;       ///< among the materials compared, all equally likely beforehand
+  ParameterValues match;        ///< the best that was found
+  /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
+  /// one that does, above kPoorMatch of one that does not.
+  double misfit = 0;
+  /// How far another sample of the same surface would be off, other irregularities at the same parameters:
+  /// what no search can remove. Of the first material alone.
+  std::optional<double> misfit_of_another_sample;
+  double seconds = 0;  ///< of the wall clock
 };
 
 /// All materials that were compared, the preferred first.
@@ -51,6 +57,9 @@ struct MaterialRanking {
 /// itself. Evidences compare only on the same data, and a summary of one material's own would let the others
 /// win by what it does not see.
 std::string common_summary(const std::vector<std::string>& materials);
+
+constexpr int kLeastRankResolution = 32;
+constexpr double kPoorMatch = 2;
 
 /// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few
 /// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.

@@ -7,14 +7,12 @@
 namespace patina {
 namespace {
 
-// How far Laplace's approximation was from sequential Monte Carlo where both were made, nats.
+// What Laplace's approximation is taken to be off by, nats: it has no error of its own to tell.
 constexpr double kLaplaceError = 3;
 
-double error_of(const RankedMaterial& material) {
-  return std::isfinite(material.error) ? material.error : kLaplaceError;
-}
+double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
 
-/// "12 times", "about e^40 times" beyond what a number says.
+/// "12 times", "about 10^17 times" beyond what a number says.
 std::string times(double nats) {
   char text[32];
   if (nats < std::log(1e4))
@@ -22,6 +20,22 @@ std::string times(double nats) {
   else
     std::snprintf(text, sizeof text, "about 10^%.0f times", nats / std::log(10.0));
   return text;
+}
+
+/// The paper's Figure 8: a material that is not the photo's can be fitted, but not well.
+std::string none_fits(const RankedMaterial& best) {
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "None of them fits: the best match, of %s, is off by %.1f times what is usual for a material "
+                "that fits",
+                best.material.c_str(), best.misfit);
+  std::string sentence = text;
+  if (best.misfit_of_another_sample) {
+    std::snprintf(text, sizeof text, "; another sample of that match would be off by %.1f",
+                  *best.misfit_of_another_sample);
+    sentence += text;
+  }
+  return sentence + ".";
 }
 
 }  // namespace
@@ -48,6 +62,7 @@ std::string in_words(const MaterialRanking& ranking) {
   const auto& all = ranking.materials;
   if (all.empty()) return "There was nothing to compare.";
   const RankedMaterial& first = all.front();
+  if (first.misfit > kPoorMatch) return none_fits(first);
   if (all.size() == 1) return first.material + ", the only one compared.";
   const RankedMaterial& next = all[1];
   if (within_error(first, next))

@@ -7,7 +7,6 @@
 namespace patina {
 namespace {
 
-constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
 /// R-hat of chains that sit in places of their own, whose sd together says nothing of what the photo knows.
 constexpr double kApart = 1.1;
 

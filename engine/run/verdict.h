@@ -9,6 +9,7 @@ namespace patina {
 /// What a run must reach before its intervals are quoted: Vehtari et al. 2021, section 4.
 constexpr double kGoodRhat = 1.01;
 constexpr double kGoodEss = 400;
+constexpr double kNotIdentified = 0.9;  ///< posterior sd over prior sd, above which a photo pins nothing down
 
 /// Whether every identified parameter has reached kGoodRhat and kGoodEss in bulk and tail, in one sentence;
 /// if not, which one is furthest from it, which chain stands apart, and along which direction the chains
