@@ -16,21 +16,24 @@
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/stress/report.h"
+#include "engine/stress/scenarios.h"
 
 namespace patina {
 namespace {
 
 struct Options {
-  std::string material = "bump", kernel, scenario;
+  std::string material, kernel, scenario;
   std::filesystem::path out;
   std::uint64_t seed = 1;
   int threads = hardware_threads();
   bool json = false;
 };
 
-/// Those of that name, or all. @throws UserError
+/// The densities, or the photos of a material; all or the one of that name. @throws UserError
 std::vector<Scenario> chosen_scenarios(const Options& options) {
-  std::vector<Scenario> scenarios = all_scenarios(options.material);
+  if (!options.material.empty()) material_table(options.material);  // refuses an unknown name
+  std::vector<Scenario> scenarios =
+      options.material.empty() ? density_scenarios() : photo_scenarios(options.material);
   if (options.scenario.empty()) return scenarios;
   std::string known;
   for (const Scenario& scenario : scenarios) known += (known.empty() ? "" : ", ") + scenario.name;
@@ -41,15 +44,18 @@ std::vector<Scenario> chosen_scenarios(const Options& options) {
 }
 
 /// Into the page that is there, between its marks, or as a page of its own.
-void write_table(const std::filesystem::path& file, const std::string& table) {
+void write_table(const Options& options, const std::string& table) {
   std::error_code ignored;
-  const std::string page = std::filesystem::exists(file, ignored) ? read_file(file) : std::string();
-  write_file_atomically(file, with_table(page, table));
+  const bool there = std::filesystem::exists(options.out, ignored);
+  const std::string command =
+      "patina-cli stress" + (options.material.empty() ? "" : " --material " + options.material);
+  write_file_atomically(options.out,
+                        with_table(there ? read_file(options.out) : std::string(), command, table));
 }
 
 /// The exit status: 1 if an answer is wrong and nothing said so.
 int status_of(const std::vector<Cell>& cells) {
-  const auto silent = std::ranges::count(cells, Outcome::silent, &Cell::outcome);
+  const auto silent = std::ranges::count_if(cells, &Cell::is_defect);
   if (silent == 0) return kDone;
   std::fprintf(stderr, "patina-cli: %td of %td answers are wrong, and nothing said so.\n", silent,
                std::ssize(cells));
@@ -57,8 +63,6 @@ int status_of(const std::vector<Cell>& cells) {
 }
 
 int stress(const Options& options) {
-  check_material_argument(options.material);
-  material_table(options.material);  // refuses an unknown name
   if (options.threads < 1) throw UserError("--threads must be at least 1.");
   SuiteSettings settings;
   settings.kernels = options.kernel.empty() ? kernel_names() : std::vector<std::string>{options.kernel};
@@ -69,7 +73,7 @@ int stress(const Options& options) {
   };
   const std::vector<Cell> cells = try_all(chosen_scenarios(options), settings);
   const std::string table = report_table(cells);
-  if (!options.out.empty()) write_table(options.out, table);
+  if (!options.out.empty()) write_table(options, table);
   if (options.json)
     print(report_json(cells));
   else if (options.out.empty())
@@ -83,9 +87,10 @@ void add_stress(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
       "stress", "Known ways to fail, with every kernel: right, alarmed, refused, or silently wrong (exit 1)");
-  command.add_option("--material", options->material, "The material of the photos")
-      ->type_name("NAME")
-      ->capture_default_str();
+  command
+      .add_option("--material", options->material,
+                  "Try good and poor photos of this material in place of the densities")
+      ->type_name("NAME");
   command.add_option("--kernel", options->kernel, "One kernel alone: mh, mala, hmc, nuts")
       ->check(CLI::IsMember(kernel_names()));
   command.add_option("--scenario", options->scenario, "One scenario alone")->type_name("NAME");
@@ -94,7 +99,9 @@ void add_stress(CLI::App& app, Command& chosen) {
       ->check(seed_problem);
   command.add_option("--threads", options->threads, "Scenarios at a time")->capture_default_str();
   command.add_flag("--json", options->json, "Print the result as one JSON document");
-  command.add_option("--out", options->out, "Markdown file for the table, put between its marks if it has them (default: print it)")
+  command
+      .add_option("--out", options->out,
+                  "Markdown file for the table, put between its marks if it has them (default: print it)")
       ->type_name("FILE.md");
   command.callback([options, &chosen] { chosen = [options] { return stress(*options); }; });
 }

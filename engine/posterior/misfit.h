@@ -13,7 +13,7 @@ struct SummaryBlock;
 
 /// How far a part of a render's summary is from the photo's.
 struct BlockMisfit {
-  std::string name;      ///< of the summary's block: "gram 2"
+  std::string name;  ///< of the summary's block: "gram 2"
   bool is_colour = false;
   /// Of colours the root mean square difference in display units; of others relative to the photo's: of Gram
   /// matrices the Frobenius distance, of spectra the root mean square logarithm.

@@ -53,7 +53,7 @@ struct Thinned {
   std::vector<std::size_t> chains;
 };
 
-/// Every so many, so that no chain's passages between two of them can be told apart from more.
+/// Every so many: passages there and back between two of them are not seen.
 Thinned thinned(const Chains& chains) {
   constexpr std::size_t kMost = 4000;
   std::size_t total = 0;
@@ -80,8 +80,7 @@ std::vector<Mode> modes_of(const Thinned& some, const ParameterTable& table) {
   }
   for (std::size_t j = 0; j < table.discrete.size(); ++j)
     for (Eigen::Index i = 0; i < rows; ++i)
-      discrete(i, static_cast<Eigen::Index>(j)) =
-          some.draws[static_cast<std::size_t>(i)]->values.discrete[j];
+      discrete(i, static_cast<Eigen::Index>(j)) = some.draws[static_cast<std::size_t>(i)]->values.discrete[j];
   return find_modes(continuous, discrete);
 }
 
@@ -105,13 +104,12 @@ std::optional<Alarm> separate_modes(const Chains& chains, const ParameterTable& 
   if (fewest >= kFewest) return std::nullopt;
   std::string shares;
   for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 4); ++i)
-    shares += (i == 0 ? "" : ", ") + percent(static_cast<double>(modes[i].members.size()) /
-                                             static_cast<double>(some.draws.size()));
-  return Alarm{"modes",
-               "There are " + std::to_string(modes.size()) + " separate kinds of match (" + shares +
-                   " of the draws), and chains passed into or out of one of them only " +
-                   std::to_string(fewest) +
-                   " times: how likely each is, is not known. --temper 8 weighs them."};
+    shares += (i == 0 ? "" : ", ") +
+              percent(static_cast<double>(modes[i].members.size()) / static_cast<double>(some.draws.size()));
+  return Alarm{"modes", "There are " + std::to_string(modes.size()) + " separate kinds of match (" + shares +
+                            " of the draws), and chains passed into or out of one of them only " +
+                            std::to_string(fewest) +
+                            " times: how likely each is, is not known. --temper 8 weighs them."};
 }
 
 std::optional<Alarm> divergences(const RunSummary& summary) {
@@ -160,7 +158,7 @@ Pile pile_at(const Chains& chains, std::size_t parameter, const TruncatedNormal&
 
 /// One sentence a parameter: others may be well within their bounds.
 void add_bounds(const Chains& chains, const ParameterTable& table, Alarms& alarms) {
-  constexpr double kPiled = 0.3;    // of the draws
+  constexpr double kPiled = 0.3;   // of the draws
   constexpr double kSurprise = 3;  // times what the prior has there
   for (std::size_t i = 0; i < table.continuous.size(); ++i) {
     const Parameter& parameter = table.continuous[i];
@@ -180,8 +178,8 @@ void add_bounds(const Chains& chains, const ParameterTable& table, Alarms& alarm
 
 Alarms draw_alarms(const ParameterTable& table, const RunSummary& summary, const Chains& chains) {
   Alarms alarms;
-  for (const auto& alarm : {alone(summary), stuck(chains), separate_modes(chains, table),
-                            divergences(summary), energy(summary)})
+  for (const auto& alarm :
+       {alone(summary), stuck(chains), separate_modes(chains, table), divergences(summary), energy(summary)})
     if (alarm) alarms.push_back(*alarm);
   add_bounds(chains, table, alarms);
   return alarms;

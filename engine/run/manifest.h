@@ -44,7 +44,7 @@ struct Manifest {
   std::optional<MapPoint> map;
   std::vector<MapPoint> basins;  ///< all that the search ended in, best first; the first is the map
   RunTimes seconds;
-  Alarms alarms;  ///< of the photo and its best match, see run_alarms()
+  Alarms alarms;                         ///< of the photo and its best match, see run_alarms()
   std::optional<StopEvidence> evidence;  ///< of the last judgement, where stop rules ask for quality
 };
 

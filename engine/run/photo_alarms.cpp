@@ -30,10 +30,12 @@ double share_of(const Image& photo, Is is) {
 
 std::optional<Alarm> dark(const Image& photo) {
   constexpr double kBlack = 8.0 / 255, kMost = 0.9;
-  const double share = share_of(photo, [&](int row, int column) { return luminance(photo, row, column) < kBlack; });
+  const double share =
+      share_of(photo, [&](int row, int column) { return luminance(photo, row, column) < kBlack; });
   if (share < kMost) return std::nullopt;
-  return Alarm{"dark", percent(share) + " of the photo is black: it says little about the material. Take it "
-                                        "with more light or a longer exposure."};
+  return Alarm{"dark", percent(share) +
+                           " of the photo is black: it says little about the material. Take it "
+                           "with more light or a longer exposure."};
 }
 
 std::optional<Alarm> burnt_out(const Image& photo) {
@@ -42,8 +44,9 @@ std::optional<Alarm> burnt_out(const Image& photo) {
     return std::max({photo.at(row, column, 0), photo.at(row, column, 1), photo.at(row, column, 2)}) > kWhite;
   });
   if (share < kMost) return std::nullopt;
-  return Alarm{"burnt out", percent(share) + " of the photo is as bright as it can be, and what differs there "
-                                             "is lost. Take it with a shorter exposure."};
+  return Alarm{"burnt out", percent(share) +
+                                " of the photo is as bright as it can be, and what differs there "
+                                "is lost. Take it with a shorter exposure."};
 }
 
 /// Mean luminance of kCells x kCells cells.
@@ -76,7 +79,8 @@ std::optional<Alarm> blank(const Image& photo) {
     widest = std::max<double>(widest, high - low);
   }
   if (widest > kNothing) return std::nullopt;
-  return Alarm{"blank", "Every pixel of the photo is the same: there is no texture and no highlight to match."};
+  return Alarm{"blank",
+               "Every pixel of the photo is the same: there is no texture and no highlight to match."};
 }
 
 /// How far from the middle the centre of what is brighter than the median is, in sides; and how much that is.
@@ -98,9 +102,10 @@ std::optional<Alarm> off_centre(const Image& photo) {
     }
   const double distance = std::hypot(x, y) / mass;
   if (distance < kFar) return std::nullopt;
-  return Alarm{"off centre", "The photo is brightest " + percent(distance) +
-                                 " of its side off the middle, where the flash is taken to be: crop it around "
-                                 "its highlight, or take it with the flash beside the camera."};
+  return Alarm{"off centre",
+               "The photo is brightest " + percent(distance) +
+                   " of its side off the middle, where the flash is taken to be: crop it around "
+                   "its highlight, or take it with the flash beside the camera."};
 }
 
 }  // namespace

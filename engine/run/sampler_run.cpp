@@ -174,7 +174,7 @@ void SamplerRun::run_to_the_end() {
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
   if (!found.basins.empty()) manifest_.basins = found.basins;
-  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position);
+  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });

@@ -50,9 +50,15 @@ KnownPosterior seen(const std::vector<Sight>& sights) {
 std::vector<Scenario> bound_scenarios() {
   return {
       density_scenario("bound", "four parameters of which three are piled at a bound of their prior",
-                       "closed form", [] { return seen({{0.5, 0.2}, {1.1, 0.2}, {1.3, 0.1}, {1.1, 0.02}}); }),
+                       "closed form",
+                       [] {
+                         return seen({{0.5, 0.2}, {1.1, 0.2}, {1.3, 0.1}, {1.1, 0.02}});
+                       }),
       density_scenario("beyond", "twelve parameters that the photo wants far outside their prior",
-                       "closed form", [] { return seen(std::vector<Sight>(12, {-1, 0.05})); }),
+                       "closed form",
+                       [] {
+                         return seen(std::vector<Sight>(12, {-1, 0.05}));
+                       }),
   };
 }
 

@@ -1,8 +1,8 @@
 #include "engine/stress/density.h"
 
 #include <cmath>
-#include <optional>
 
+#include "engine/error.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/stopwatch.h"
 #include "engine/sampling/kernels.h"
@@ -25,6 +25,8 @@ Begun begin_as_a_run(const LogDensity& target, const Demand& demand, const Attem
   search.threads = attempt.threads;
   Rng rng(attempt.seed, 0);
   const OptimizerResult best = search_map({&target}, rng, search).best;
+  if (!std::isfinite(best.evaluation.log_density))
+    throw UserError("No place has a density: check the priors.");  // as a run does
   const Metric laplace(laplace_covariance(target, best.position));
   const ChainState mode{best.position, best.evaluation};
   return {[&target, mode, laplace](Rng& r) { return overdispersed_start(target, mode, laplace, r).position; },
@@ -62,9 +64,8 @@ Evidence try_density(const KnownPosterior& posterior, const Demand& demand, cons
                                 .metric_worth = 10.0 * static_cast<double>(target.dimension()),
                                 .threads = attempt.threads};
   const double factor = demand.metric_factor * demand.metric_factor;
-  const Sample sample =
-      patina::sample(target, *make_kernel(attempt.kernel, target, kAlpha, demand.refresh), settings,
-                     begun.start, Metric(factor * begun.metric.covariance()));
+  const Sample sample = patina::sample(target, *make_kernel(attempt.kernel, target, kAlpha, demand.refresh),
+                                       settings, begun.start, Metric(factor * begun.metric.covariance()));
   const std::vector<Draw> draws = draws_of(sample, posterior);
   Evidence evidence;
   evidence.summary = summarize_draws(posterior.table, draws);
@@ -102,8 +103,7 @@ KnownPosterior in_coordinates(Eigen::Index dimension, FunctionDensity::Function 
   for (std::size_t i = 0; i < levels.size(); ++i)
     posterior.table.discrete.push_back(
         {"c" + std::to_string(i + 1), "", std::vector<std::string>(static_cast<std::size_t>(levels[i]))});
-  posterior.target =
-      std::make_shared<FunctionDensity>(dimension, std::move(function), std::move(levels));
+  posterior.target = std::make_shared<FunctionDensity>(dimension, std::move(function), std::move(levels));
   posterior.values = [](const Position& p) {
     return ParameterValues{{p.continuous.begin(), p.continuous.end()},
                            {p.discrete.begin(), p.discrete.end()}};

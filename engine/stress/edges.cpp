@@ -44,9 +44,9 @@ KnownPosterior rings(double jump) {
 }
 
 /// N(0, 1) of which only the part above 1 is allowed.
-KnownPosterior cliff(double outside) {
+KnownPosterior cliff(Eigen::Index dimension, double outside) {
   return repeated(
-      4, [=](double x) { return x > 1 ? -0.5 * x * x : outside; }, [](double x) { return -x; });
+      dimension, [=](double x) { return x > 1 ? -0.5 * x * x : outside; }, [](double x) { return -x; });
 }
 
 /// The value is a number everywhere; the gradient is none in a fifth of the space.
@@ -60,24 +60,29 @@ KnownPosterior lost_gradient() {
   return posterior;
 }
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 std::vector<Scenario> edge_scenarios() {
   const Demand plain{.refresh = 0};
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {
       density_scenario("kink", "the log density has a corner at its summit", "quadrature", kink),
       density_scenario("rings", "jumps of 1 to 16 nats that no gradient tells of", "quadrature",
                        [] { return rings(1); }),
-      density_scenario("rings, no refresh", "the same without refresh moves", "quadrature",
-                       [] { return rings(1); }, plain),
-      density_scenario("cliff", "nothing below 1, where most of the prior is", "quadrature",
-                       [] { return cliff(-kInfinity); }),
+      density_scenario(
+          "rings, no refresh", "the same without refresh moves", "quadrature", [] { return rings(1); },
+          plain),
+      density_scenario("cliff", "nothing below 1, where most of the prior is, in two dimensions",
+                       "quadrature", [] { return cliff(2, -kInfinity); }),
+      density_scenario("cliff in 8", "the same in eight, where no draw of the prior meets anything",
+                       "quadrature", [] { return cliff(8, -kInfinity); }),
       density_scenario("not a number", "a log density that is no number where most of the prior is",
-                       "quadrature", [=] {
-                         KnownPosterior posterior = cliff(-kInfinity);
-                         posterior.target = cliff(kNaN).target;
+                       "quadrature",
+                       [] {
+                         KnownPosterior posterior = cliff(2, -kInfinity);
+                         posterior.target = cliff(2, kNaN).target;
                          return posterior;
                        }),
       density_scenario("lost gradient", "a gradient that is no number in a fifth of the posterior",

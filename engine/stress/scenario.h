@@ -41,17 +41,19 @@ struct Evidence {
   std::vector<Alarm> alarms;  ///< of the draws and of the run
   Error error;
   double limit = kWrong;  ///< of the error; of a photo 3: its truth lies within three posterior sds
-  bool is_short = false;   ///< a run too short for R-hat and ESS: that they are poor is no alarm
-  double seconds = 0;   ///< of wall time
-  std::string refusal;  ///< the sentence with which it was refused; empty: it was run
+  bool is_short = false;  ///< a run too short for R-hat and ESS: that they are poor is no alarm
+  double seconds = 0;     ///< of wall time
+  std::string refusal;    ///< the sentence with which it was refused; empty: it was run
 };
 
 /// One known way to fail. Its name is what `patina-cli stress --scenario` takes.
 struct Scenario {
   std::string name;
-  std::string what;  ///< one line
+  std::string what;      ///< one line
   std::string known_by;  ///< "closed form", "quadrature", "render"
   std::function<Evidence(const Attempt&)> attempt;
+  bool is_limit =
+      false;  ///< nothing that has not met the answer can tell: a silent error is shown, not counted
 };
 
 }  // namespace patina

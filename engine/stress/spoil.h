@@ -8,7 +8,7 @@ namespace patina {
 // rounded to 8 bits as a file would be.
 
 Image exposed(const Image& photo, double r, double g, double b);  ///< linear light times these, clipped
-Image blurred(const Image& photo, double sd);  ///< by a Gaussian of so many pixels
+Image blurred(const Image& photo, double sd);                     ///< by a Gaussian of so many pixels
 Image sharpened(const Image& photo, double sd, double amount);    ///< unsharp mask
 Image downscaled(const Image& photo, int side);                   ///< and up again
 /// The middle of a wider photo, so many pixels a side, turned about its horizontal axis and seen from 1.2

@@ -20,17 +20,17 @@ Cell try_cell(const Scenario& scenario, const std::string& kernel, std::uint64_t
     cell.evidence.refusal = error.what();
   }
   cell.outcome = outcome(cell.evidence);
+  cell.is_limit = scenario.is_limit;
   return cell;
 }
 
 }  // namespace
 
-std::vector<Scenario> all_scenarios(const std::string& material) {
+std::vector<Scenario> density_scenarios() {
   std::vector<Scenario> all;
   for (auto* list : {bound_scenarios, ridge_scenarios, mode_scenarios, edge_scenarios, precision_scenarios,
                      start_scenarios})
     std::ranges::move(list(), std::back_inserter(all));
-  std::ranges::move(photo_scenarios(material), std::back_inserter(all));
   return all;
 }
 

@@ -17,7 +17,7 @@ TEST_F(StressTest, TriesOneScenarioWithOneKernelAndPrintsOneDocument) {
 }
 
 TEST_F(StressTest, PutsItsTableIntoAPage) {
-  std::ofstream(path("page.md")) << "# Kept\n<!-- made by patina-cli stress -->\n<!-- end -->\n";
+  std::ofstream(path("page.md")) << "# Kept\n<!-- patina-cli stress -->\n<!-- /patina-cli stress -->\n";
   EXPECT_EQ(output({"stress", "--scenario", "one draw", "--kernel", "hmc", "--out", path("page.md")}), "");
   const std::string page = slurp(path("page.md"));
   EXPECT_EQ(page.find("# Kept"), 0u);
@@ -25,9 +25,10 @@ TEST_F(StressTest, PutsItsTableIntoAPage) {
 }
 
 TEST_F(StressTest, RefusesWhatItDoesNotKnowWithOneSentence) {
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"--scenario", "nothing"}, {"--material", "nothing"}, {"--kernel", "nothing"},
-        {"--threads", "0"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--scenario", "nothing"},
+                                                {"--material", "nothing"},
+                                                {"--kernel", "nothing"},
+                                                {"--threads", "0"}}) {
     std::vector<std::string> arguments{"stress"};
     arguments.insert(arguments.end(), words.begin(), words.end());
     const Finished finished = run(arguments);

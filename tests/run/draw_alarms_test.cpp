@@ -82,7 +82,8 @@ TEST(DrawAlarms, modes_that_chains_do_not_pass_between_are_told_with_their_share
     draw.values.continuous[0] = 0.5 + 0.1 * (draw.values.continuous[0] - 0.5);
     apart(draw);
   };
-  expect_only(summarize_draws(table(), draws(narrow)), "modes", {"2 separate", "25 %", "75 %", "only 0 times"});
+  expect_only(summarize_draws(table(), draws(narrow)), "modes",
+              {"2 separate", "25 %", "75 %", "only 0 times"});
 }
 
 TEST(DrawAlarms, levels_that_chains_do_not_pass_between_are_modes_as_well) {
@@ -115,16 +116,22 @@ TEST(DrawAlarms, energies_that_crawl_are_told_of_kernels_with_trajectories_alone
 }
 
 TEST(DrawAlarms, a_parameter_piled_at_a_bound_is_told_with_the_bound) {
-  const auto high = [](Draw& draw) { draw.values.continuous[1] = 1 - 0.1 * std::abs(draw.values.continuous[1] - 0.5); };
+  const auto high = [](Draw& draw) {
+    draw.values.continuous[1] = 1 - 0.1 * std::abs(draw.values.continuous[1] - 0.5);
+  };
   expect_only(summarize_draws(table(), draws(high)), "bound", {"of b", "upper bound 1"});
-  const auto low = [](Draw& draw) { draw.values.continuous[0] = 0.1 * std::abs(draw.values.continuous[0] - 0.5); };
+  const auto low = [](Draw& draw) {
+    draw.values.continuous[0] = 0.1 * std::abs(draw.values.continuous[0] - 0.5);
+  };
   expect_only(summarize_draws(table(), draws(low)), "bound", {"of a", "lower bound 0"});
 }
 
 TEST(DrawAlarms, a_prior_that_is_itself_piled_at_its_bound_raises_none) {
   ParameterTable steep = table();
   steep.continuous[0].prior = {0, 0.01, 0, 1};
-  const auto spoil = [](Draw& draw) { draw.values.continuous[0] = 0.1 * std::abs(draw.values.continuous[0] - 0.5); };
+  const auto spoil = [](Draw& draw) {
+    draw.values.continuous[0] = 0.1 * std::abs(draw.values.continuous[0] - 0.5);
+  };
   EXPECT_TRUE(summarize_draws(steep, draws(spoil)).alarms.empty());
 }
 

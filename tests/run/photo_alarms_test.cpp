@@ -19,8 +19,7 @@ Image highlight(double x, double y, double gain = 1, int side = 96) {
     for (int column = 0; column < side; ++column) {
       const double dx = (column + 0.5) / side - 0.5 - x, dy = (row + 0.5) / side - 0.5 - y;
       const double value = gain * (0.1 + 0.7 * std::exp(-20 * (dx * dx + dy * dy)));
-      for (int c = 0; c < 3; ++c)
-        image.at(row, column, c) = static_cast<float>(std::clamp(value, 0.0, 1.0));
+      for (int c = 0; c < 3; ++c) image.at(row, column, c) = static_cast<float>(std::clamp(value, 0.0, 1.0));
     }
   return image;
 }

@@ -34,6 +34,18 @@ TEST(RunAlarms, noise_is_told_above_a_tenth_of_a_nat) {
   EXPECT_NE(noise_alarm(0.4)->sentence.find("0.4 nats"), std::string::npos);
 }
 
+TEST(RunAlarms, a_match_that_the_prior_calls_unlikely_is_told_with_its_most_unlikely_parameter) {
+  ParameterTable table;
+  for (const char* name : {"a", "b", "c"}) table.continuous.push_back({name, "", "", {0, 1, -100, 100}});
+  // The chi-square of 3 degrees of freedom exceeds 16.27 once in a thousand.
+  EXPECT_FALSE(strain_alarm(table, {{2, -2, 2.85}, {}}, {}));
+  const auto strained = strain_alarm(table, {{2, -2, 2.9}, {}}, {});
+  ASSERT_TRUE(strained);
+  EXPECT_NE(strained->sentence.find("c = 2.9"), std::string::npos) << strained->sentence;
+  EXPECT_FALSE(strain_alarm(table, {{2, -2, 2.9}, {}}, {{"c", 2.9}})) << "it is held there";
+  EXPECT_FALSE(strain_alarm({}, {}, {}));
+}
+
 class RunAlarmsOfARun : public RunTest {
  protected:
   /// The alarms of a run on an image, live and as read from its directory.

@@ -26,20 +26,21 @@ std::vector<Cell> some_cells() {
 }
 
 TEST(Report, has_a_row_per_scenario_a_column_per_kernel_and_the_count_of_each_outcome) {
-  EXPECT_EQ(report_table(some_cells()),
-            "| scenario | known by | mh | hmc | s |\n"
-            "|---|---|---|---|---|\n"
-            "| **a**: what it is | closed form | right 0.04 ± 0.01 (noise) | SILENT 0.50 ± 0.01 (noise) | 2.5 |\n"
-            "| **b**: what it is | closed form | alarmed no answer (noise) | refused | 2.5 |\n"
-            "\nright 1, alarmed 1, refused 1, SILENT 1; 5 s in all.\n");
+  EXPECT_EQ(
+      report_table(some_cells()),
+      "| scenario | known by | mh | hmc | s |\n"
+      "|---|---|---|---|---|\n"
+      "| **a**: what it is | closed form | right 0.04 ± 0.01 (noise) | SILENT 0.50 ± 0.01 (noise) | 2.5 |\n"
+      "| **b**: what it is | closed form | alarmed no answer (noise) | refused | 2.5 |\n"
+      "\nright 1, alarmed 1, refused 1, SILENT 1; 5 s in all.\n");
 }
 
 TEST(Report, replaces_the_table_of_a_page_and_leaves_the_rest) {
-  const std::string page = std::string("# Title\n") + kTableBegin + "old\n" + kTableEnd + "after\n";
-  const std::string made = with_table(page, "new\n");
-  EXPECT_EQ(made, std::string("# Title\n") + kTableBegin + "new\n" + kTableEnd + "after\n");
-  EXPECT_EQ(with_table(made, "new\n"), made);
-  EXPECT_EQ(with_table("no marks", "new\n"), std::string(kTableBegin) + "new\n" + kTableEnd);
+  const std::string page = "# Title\n<!-- a -->\nold\n<!-- /a -->\nafter\n<!-- b -->\n<!-- /b -->\n";
+  const std::string made = with_table(page, "a", "new\n");
+  EXPECT_EQ(made, "# Title\n<!-- a -->\nnew\n<!-- /a -->\nafter\n<!-- b -->\n<!-- /b -->\n");
+  EXPECT_EQ(with_table(made, "a", "new\n"), made);
+  EXPECT_EQ(with_table("no marks", "a", "new\n"), "<!-- a -->\nnew\n<!-- /a -->\n");
 }
 
 TEST(Report, in_json_has_every_cell_and_null_for_what_is_no_number) {
