@@ -15,12 +15,12 @@ std::map<std::string, double> off_values(const std::string& material) {
   std::map<std::string, double> off;
   for (std::size_t i = 0; i < table.continuous.size(); ++i) {
     if (!parameters[i].contains("off")) continue;
-    const auto& [name, unit, description, prior, jagged] = table.continuous[i];
+    const Parameter& parameter = table.continuous[i];
     const auto& value = parameters[i]["off"];
-    if (!value.is_number() || value < prior.low || value > prior.high)
-      throw UserError("The material file " + file.string() + " cannot be used: 'off' of '" + name +
+    if (!value.is_number() || value < parameter.prior.low || value > parameter.prior.high)
+      throw UserError("The material file " + file.string() + " cannot be used: 'off' of '" + parameter.name +
                       "' is not a number in the prior's range; mend it or reinstall Patina.");
-    off[name] = value;
+    off[parameter.name] = value;
   }
   return off;
 }
