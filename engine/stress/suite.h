@@ -23,8 +23,8 @@ struct Cell {
 struct SuiteSettings {
   std::vector<std::string> kernels;
   std::uint64_t seed = 1;
-  int threads = 1;                         ///< cells at a time; the cells are the same
-  std::function<void(const Cell&)> tried;  ///< called after each, one at a time; may be empty
+  int threads = 1;                              ///< cells at a time; the cells are the same
+  std::function<void(const Cell&)> tried = {};  ///< called after each, one at a time; may be empty
 };
 
 /// All densities whose answer is known; photos say photo_scenarios().
