@@ -42,7 +42,7 @@ TEST(PhotoAlarms, a_highlight_far_from_the_middle_is_told) {
 
 TEST(PhotoAlarms, black_and_burnt_out_photos_are_told) {
   EXPECT_EQ(names_of(highlight(0, 0, 0.02)), "dark;");
-  EXPECT_EQ(names_of(highlight(0, 0, 4)), "burnt out;");
+  EXPECT_EQ(names_of(highlight(0, 0, 5)), "burnt out;");
   EXPECT_EQ(names_of(highlight(0, 0, 1.4)), "") << "a clipped highlight is usual";
 }
 
