@@ -1,5 +1,7 @@
 #include "gui/panels/stop_rules.h"
 
+#include "gui/panels/field_row.h"
+
 namespace patina {
 namespace {
 
@@ -7,12 +9,7 @@ constexpr const char* kButton = "Ends...";
 
 /// @return whether another value was typed
 bool edit(const char* label, const char* format, const char* what, double& value) {
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  tooltip(what);
-  ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
+  begin_field(label, what);
   const bool changed = ImGui::InputDouble(("##" + std::string(label)).c_str(), &value, 0, 0, format,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
   tooltip(what);
