@@ -104,7 +104,7 @@ TEST_F(AppBehaviour, TheLightThemeIsLightAndItsTextDark) {
 
 TEST_F(AppBehaviour, PointsTakeTheThemesColours) {
   start_run_of({draw(0.3, 0.5, -1), draw(0.5, 0.4, -2, 3)});
-  app_.session().model().colour_by({Colouring::Kind::chain});
+  app_.session().model().colour_by({Colouring::Kind::chain, {}});
   const auto colour = [&](std::size_t draw) {
     frames(3);
     const Image shot = window_->screenshot();
