@@ -25,8 +25,9 @@ struct PosteriorSettings {
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
   // Set by hand, as in the paper, to how far its own fits stay from their 14 photos: on average a relative
   // Gram distance of 0.267 and a mean colour of 6.9 of 255 levels. That is the error of the model, which no
-  // parameters remove; much smaller values make a posterior of many separate peaks out of it.
-  double gram_sigma = 0.27;  ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
+  // parameters remove. A Gram matrix errs along about three independent directions (the participation ratio
+  // of its scatter over z is 1.2 to 5.2), so that a distance of 0.267 is 0.15 along each.
+  double gram_sigma = 0.15;  ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
   double mean_sigma = 0.03;  ///< sd of a regional mean's error, in display units (8 of 255 levels)
   std::map<std::string, double> fixed;  ///< parameters held at a value (discrete ones: a level index)
   std::map<std::string, TruncatedNormal> priors;  ///< priors that replace the material's own
