@@ -50,10 +50,9 @@ void add_compare(CLI::App& app, Command& chosen) {
       ->delimiter(',');
   command.add_option("--crop", options->crop, "Square of the photo to use, as in fit")->type_name("X,Y,SIDE");
   options->capture.add_to(command);
-  command
-      .add_option("--summary", rank.summary,
-                  "What all are compared by (default: together what each is compared by in a fit)")
-      ->type_name("NAME");
+  command.add_option("--summary", rank.summary, "What all are compared by")
+      ->type_name("NAME")
+      ->capture_default_str();
   command.add_option("--network", rank.network, "Weights of the summary's network (default: bundled)")
       ->type_name("FILE");
   command.add_option("--resolution", rank.resolution, "Pixels a side at which renders are compared")

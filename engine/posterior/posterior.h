@@ -23,12 +23,12 @@ struct PosteriorSettings {
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
-  // Set by hand, as in the paper, to how far its own fits stay from their 14 photos: on average a relative
-  // Gram distance of 0.267 and a mean colour of 6.9 of 255 levels. That is the error of the model, which no
-  // parameters remove. A Gram matrix errs along about three independent directions (the participation ratio
+  // Set by hand, as in the paper: the means' as in its fitting code, the Gram matrices' to how far its own fits
+  // stay from their 14 photos, on average a relative distance of 0.267. That is the error of the model, which
+  // no parameters remove. A Gram matrix errs along about three independent directions (the participation ratio
   // of its scatter over z is 1.2 to 5.2), so that a distance of 0.267 is 0.15 along each.
   double gram_sigma = 0.15;  ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
-  double mean_sigma = 0.03;  ///< sd of a regional mean's error, in display units (8 of 255 levels)
+  double mean_sigma = 0.02;  ///< sd of a regional mean's error, in display units (5 of 255 levels)
   std::map<std::string, double> fixed;  ///< parameters held at a value (discrete ones: a level index)
   std::map<std::string, TruncatedNormal> priors;  ///< priors that replace the material's own
 };

@@ -31,7 +31,6 @@ void check(const RankSettings& settings) {
 
 RankSettings completed(RankSettings settings) {
   if (settings.materials.empty()) settings.materials = material_names();
-  if (settings.summary.empty()) settings.summary = common_summary(settings.materials);
   if (settings.threads <= 0) settings.threads = hardware_threads();
   return settings;
 }
@@ -118,17 +117,6 @@ class Ranking {
 };
 
 }  // namespace
-
-std::string common_summary(const std::vector<std::string>& materials) {
-  std::vector<std::string> names;
-  for (const std::string& material : materials) {
-    const std::string name = material_table(material).summary;
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  std::string joined;
-  for (const std::string& name : names) joined += (joined.empty() ? "" : "+") + name;
-  return joined;
-}
 
 std::optional<MaterialRanking> rank_materials(
     const Image& photo, const RankSettings& settings,

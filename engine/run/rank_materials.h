@@ -18,8 +18,9 @@ namespace patina {
 struct RankSettings {
   std::vector<std::string> materials;  ///< by name; empty: all
   Capture capture;
-  int resolution = 64;            ///< pixels a side at which renders are compared with the photo
-  std::string summary;            ///< the same for all; empty: common_summary()
+  int resolution =
+      128;  ///< pixels a side at which renders are compared with the photo: at 64 no grain is left
+  std::string summary = "gram";   ///< the same for all, since evidences compare only on the same data
   std::filesystem::path network;  ///< empty: the bundled one
   int finalists = 3;              ///< so many of the best are measured again, with an error; 0: none
   int particles = 32;             ///< of each of the four islands that measure with
@@ -52,11 +53,6 @@ struct MaterialRanking {
   std::string summary;   ///< that all were compared by
   std::string sentence;  ///< the result in plain words
 };
-
-/// A summary that is blind to none of the materials' ways to differ: all that any of them is compared by, by
-/// itself. Evidences compare only on the same data, and a summary of one material's own would let the others
-/// win by what it does not see.
-std::string common_summary(const std::vector<std::string>& materials);
 
 constexpr int kLeastRankResolution = 32;
 constexpr double kPoorMatch = 2;

@@ -167,10 +167,5 @@ TEST_F(RankMaterials, refuses_what_cannot_be) {
   refused([](RankSettings& s) { s.summary = "taste"; });
 }
 
-TEST(CommonSummary, is_each_summary_once) {
-  EXPECT_EQ(common_summary({"leather", "bump"}), "gram");
-  EXPECT_EQ(common_summary({"metal", "leather", "flake", "translucent"}), "bands+gram+rings");
-}
-
 }  // namespace
 }  // namespace patina
