@@ -36,10 +36,10 @@ TEST_F(AppPanels, PauseResumeAndStopReachTheRun) {
   EXPECT_EQ(run_->pauses, 1);
   click(foot(layout().chains, 0.25f));
   EXPECT_EQ(run_->resumes, 1);
-  click(foot(layout().chains, 0.75f));
+  click(foot(layout().chains, 0.55f));
   EXPECT_EQ(run_->stops, 1);
   EXPECT_TRUE(app_.session().can_go_on());
-  click(foot(layout().chains, 0.75f));
+  click(foot(layout().chains, 0.55f));
   EXPECT_EQ(run_->stops, 1) << "a run that has ended cannot be stopped again";
   EXPECT_EQ(app_.session().status().phase, RunPhase::sampling) << "it was continued";
 }
