@@ -121,7 +121,7 @@ std::int64_t RunReader::draws_after_warmup() const {
 }
 
 double RunReader::read_fraction() const {
-  if (!more_) return 1;
+  if (caught_up_) return 1;
   double read = 0, there = 0;
   for (std::size_t k = 0; k < chains_.size(); ++k) {
     std::error_code missing;
@@ -130,7 +130,7 @@ double RunReader::read_fraction() const {
     read += static_cast<double>(chains_[k].reader->bytes_read());
     there += static_cast<double>(size);
   }
-  return there > 0 ? std::min(1.0, read / there) : 1;
+  return there > 0 ? std::min(1.0, read / there) : 0;
 }
 
 RunStatus RunReader::status() const {

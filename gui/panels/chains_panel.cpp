@@ -69,6 +69,7 @@ void draw_reading(const PanelContext& context) {
                      "");
   ImGui::PopStyleColor();
   muted_text(count_text(static_cast<long long>(session.model().draws().size())) + " so far");
+  ImGui::SetCursorPosY(ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight());
   if (ImGui::Button("Cancel", {-1, 0})) context.commands.push_back([&session] { session.close_run(); });
   tooltip("Close this run; nothing in its directory changes");
 }
@@ -101,6 +102,7 @@ void draw_chain_row(int number, const ChainStatus& chain) {
   ImGui::Text("%d", number + 1);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(count_text(chain.iteration).c_str());
+  if (chain.iteration == 0) return;  // there is nothing to say of the rest yet
   ImGui::TableNextColumn();
   ImGui::Text("%.0f %%", 100 * chain.acceptance);
   ImGui::TableNextColumn();

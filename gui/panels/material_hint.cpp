@@ -18,11 +18,16 @@ void draw_progress(const PanelContext& context) {
   const MaterialFinder::Progress progress = session.finder().progress();
   const char* cancel = "Cancel";
   const std::string doing = progress.doing.empty() ? "Getting ready" : sentence(progress.doing);
-  ImGui::ProgressBar(static_cast<float>(progress.fraction),
-                     {-button_width(cancel) - ImGui::GetStyle().ItemSpacing.x, 0}, doing.c_str());
+  const float room =
+      ImGui::GetContentRegionAvail().x - button_width(cancel) - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::AlignTextToFramePadding();
+  elided_text(doing, room, theme::kAccent);
   tooltip("Tries all materials on the photo. A run that goes on meanwhile makes this slower.");
-  ImGui::SameLine();
+  align_right(button_width(cancel));
   if (ImGui::Button(cancel)) context.commands.push_back([&session] { session.finder().cancel(); });
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
+  ImGui::ProgressBar(static_cast<float>(progress.fraction), {-1, 0.35f * ImGui::GetFontSize()}, "");
+  ImGui::PopStyleColor();
 }
 
 }  // namespace

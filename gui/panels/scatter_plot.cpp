@@ -30,6 +30,11 @@ bool is_continuous(const PlotAxis& axis) {
   return axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
 }
 
+std::string empty_text(const Session& session) {
+  const bool none = is_over(session.status().phase) && session.status().read_fraction == 1;
+  return none ? "This run ended before its first draw" : "The first draws appear here in a moment";
+}
+
 /// How many independent draws there are for the worse known of two axes.
 std::optional<double> independent_draws(const Session& session, const PlotAxis& x, const PlotAxis& y) {
   if (!session.summary()) return std::nullopt;
@@ -73,7 +78,7 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   if (subject.x.kind != PlotAxis::Kind::iteration) draw_bars_above(view_, x_bars_, bars);
   draw_bars_beside(view_, y_bars_, bars);
   if (model.draws().size() == 0)
-    centred_hint({corner, {view_.width, view_.height}}, "The first draws appear here in a moment");
+    centred_hint({corner, {view_.width, view_.height}}, empty_text(context.session));
   handle_mouse(context.session, subject.tool);
   cursor_.handle(model, contents_.x, contents_.y, view_, subject.tool, kClickReach * ImGui::GetFontSize());
 }
