@@ -15,7 +15,7 @@ constexpr double kGoodMatch = 1.2;  // misfit; 1 is usual for a material that fi
 std::string likelihood_text(const RankedMaterial& material) {
   const double percent = 100 * material.probability;
   std::string text = percent > 99 ? "over 99 %" : percent < 1 ? "under 1 %" : number_text(percent, 2) + " %";
-  return material.error ? text : text + ", briefly";
+  return material.error ? text : text + " at first sight";
 }
 
 std::string fit_text(const RankedMaterial& material) {
@@ -30,8 +30,7 @@ std::string uncertainty_text(const MaterialRanking& ranking) {
   const auto& all = ranking.materials;
   if (all.size() < 2) return hint + "there was nothing to compare it with.";
   if (within_error(all[0], all[1]))
-    return hint + "the comparison is too coarse to tell " + all[0].material + " and " + all[1].material +
-           " apart. Try both, and look at what they render.";
+    return hint + "try " + all[0].material + " and " + all[1].material + ", and look at what they render.";
   const double factor = std::exp(std::hypot(error_of(all[0]), error_of(all[1])));
   return hint + "how many times likelier the first is than the next may itself be off by a factor of " +
          number_text(factor, 1) + ", and no material here may be the true one. Look at what it renders.";

@@ -8,7 +8,8 @@ namespace patina {
 
 // What a ranking of materials tells someone who knows no evidences.
 
-/// How likely a material is: "over 99 %", "42 %", "under 1 %", and whether that was only looked at briefly.
+/// How likely a material is: "over 99 %", "42 %", "under 1 %", and whether it was not measured but only
+/// looked at.
 std::string likelihood_text(const RankedMaterial& material);
 
 /// How well its best match fits the photo, with the figure beside: "fits (0.9)".

@@ -43,6 +43,9 @@ void MaterialHint::draw(const PanelContext& context) {
   align_right(button_width(kShow));
   const int shown = std::exchange(version_, context.session.hint_version());
   if (ImGui::Button(kShow) || shown != version_) ImGui::OpenPopup(kResult);
+  const ImVec2 corner = ImGui::GetItemRectMax();
+  ImGui::SetNextWindowPos({corner.x, corner.y + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Appearing,
+                          {1, 0});
   draw_result(context, *ranking);
 }
 
