@@ -15,7 +15,10 @@ bool not_pinned_down(const QuantitySummary& quantity);
 /// which there is something to say. None for another material than the run's.
 std::vector<ParameterAdvice> advice_for_next_run(const Session& session);
 
-/// The advice on one parameter, in a sentence for someone who knows no posteriors.
+/// What there is to say of one parameter, in a few words: "Bump height is not pinned down".
+std::string advice_title(const ParameterAdvice& advice);
+
+/// The same with its figure and what to do about it, for someone who knows no posteriors.
 std::string advice_sentence(const ParameterAdvice& advice);
 
 /// The parameters that need not be inferred, in a few words: "The photo leaves open: Bump height, Roughness".

@@ -92,7 +92,7 @@ void MaterialPanel::draw_advice(const PanelContext& context) {
   const float room = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
   if (held.empty()) {
-    elided_text(advice_sentence(advice.front()), room, theme::kMuted);
+    elided_text(advice_title(advice.front()), room, theme::kMuted);
     return tooltip(all);
   }
   elided_text(holdable_text(advice), room - button_width(hold) - ImGui::GetStyle().ItemSpacing.x,

@@ -70,15 +70,15 @@ TEST_F(AppKeyboard, MarksExactlyTheDrawsInABoxWithoutAMouse) {
   start_run_of({draw(0.3, 0.3, -1), draw(0.5, 0.5, -2), draw(0.7, 0.7, -3)});
   press('X');
   tap(ImGuiKey_Enter);  // in the middle
-  for (int i = 0; i < 40; ++i) tap(ImGuiKey_RightArrow);
-  for (int i = 0; i < 40; ++i) tap(ImGuiKey_UpArrow);
+  for (int i = 0; i < 16; ++i) tap(ImGuiKey_RightArrow);
+  for (int i = 0; i < 16; ++i) tap(ImGuiKey_UpArrow);
   EXPECT_FALSE(app_.session().model().selected()) << "arrows walk through no draws meanwhile";
   tap(ImGuiKey_Enter);
   const DrawSet& marked = app_.session().model().marked();
   EXPECT_FALSE(marked.contains(0));
   EXPECT_TRUE(marked.contains(2)) << "right of the middle, and above";
-  for (int i = 0; i < 40; ++i) tap(ImGuiKey_LeftArrow);
-  for (int i = 0; i < 40; ++i) tap(ImGuiKey_DownArrow);
+  for (int i = 0; i < 16; ++i) tap(ImGuiKey_LeftArrow);
+  for (int i = 0; i < 16; ++i) tap(ImGuiKey_DownArrow);
   tap(ImGuiKey_Space);
   EXPECT_EQ(run_->pauses, 0) << "Space sets a corner meanwhile";
   for (int i = 0; i < 12; ++i) tap(ImGuiKey_RightArrow);
