@@ -9,7 +9,10 @@ class AppKeyboard : public AppTest {
  protected:
   static constexpr int kF6 = 295;  // as GLFW has it
 
-  void tap(ImGuiKey key) { press(ImGui::GetKeyIndex(key)); }
+  void tap(ImGuiKey key, int times = 1) {
+    for (int i = 0; i < times; ++i) window_->tap_key(ImGui::GetKeyIndex(key));
+    answer_input();
+  }
   void go_to_panel(int panels) {
     for (int i = 0; i < std::abs(panels); ++i)
       press(kF6, panels < 0 ? ImGuiKeyModFlags_Shift : ImGuiKeyModFlags_None);
@@ -70,19 +73,19 @@ TEST_F(AppKeyboard, MarksExactlyTheDrawsInABoxWithoutAMouse) {
   start_run_of({draw(0.3, 0.3, -1), draw(0.5, 0.5, -2), draw(0.7, 0.7, -3)});
   press('X');
   tap(ImGuiKey_Enter);  // in the middle
-  for (int i = 0; i < 16; ++i) tap(ImGuiKey_RightArrow);
-  for (int i = 0; i < 16; ++i) tap(ImGuiKey_UpArrow);
+  tap(ImGuiKey_RightArrow, 16);
+  tap(ImGuiKey_UpArrow, 16);
   EXPECT_FALSE(app_.session().model().selected()) << "arrows walk through no draws meanwhile";
   tap(ImGuiKey_Enter);
   const DrawSet& marked = app_.session().model().marked();
   EXPECT_FALSE(marked.contains(0));
   EXPECT_TRUE(marked.contains(2)) << "right of the middle, and above";
-  for (int i = 0; i < 16; ++i) tap(ImGuiKey_LeftArrow);
-  for (int i = 0; i < 16; ++i) tap(ImGuiKey_DownArrow);
+  tap(ImGuiKey_LeftArrow, 16);
+  tap(ImGuiKey_DownArrow, 16);
   tap(ImGuiKey_Space);
   EXPECT_EQ(run_->pauses, 0) << "Space sets a corner meanwhile";
-  for (int i = 0; i < 12; ++i) tap(ImGuiKey_RightArrow);
-  for (int i = 0; i < 12; ++i) tap(ImGuiKey_UpArrow);
+  tap(ImGuiKey_LeftArrow, 16);
+  tap(ImGuiKey_DownArrow, 16);
   press(ImGui::GetKeyIndex(ImGuiKey_Enter), ImGuiKeyModFlags_Shift);
   EXPECT_TRUE(marked.contains(0)) << "with Shift it is added";
   EXPECT_TRUE(marked.contains(2));
