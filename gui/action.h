@@ -18,7 +18,7 @@ struct Shortcut {
 
   bool pressed(bool repeats) const;  ///< in this frame
   std::string text() const;          ///< "Ctrl+Shift+P"
-  /// Whether it goes through a panel while the keys are in one (KeyboardFocus).
+  /// Whether it moves something while the keys are in a panel (KeyboardFocus), a plot or the photo.
   bool navigates() const { return named_key >= 0; }
 
   int key = 0;  ///< as letter() takes it; 0: another kind

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/session.h"
 
@@ -11,14 +11,18 @@ namespace patina {
 /// it.
 bool not_pinned_down(const QuantitySummary& quantity);
 
-/// A parameter that need not be inferred, and where its draws lie on average.
-struct LooseParameter {
-  std::string name;
-  double value = 0;
-};
+/// What the draws of the open run advise for the next one: of the parameters that it would infer, those about
+/// which there is something to say. None for another material than the run's.
+std::vector<ParameterAdvice> advice_for_next_run(const Session& session);
 
-/// The parameter, of those that the next run would infer, that the run's photo pins down least, once there
-/// are enough draws to say so; none where it pins all down.
-std::optional<LooseParameter> loosest(const Session& session);
+/// What there is to say of one parameter, in a few words: "Bump height is not pinned down".
+std::string advice_title(const ParameterAdvice& advice);
+
+/// The same with its figure and what to do about it, for someone who knows no posteriors.
+std::string advice_sentence(const ParameterAdvice& advice);
+
+/// The parameters that need not be inferred, in a few words: "The photo leaves open: Bump height, Roughness".
+/// Empty: there are none.
+std::string holdable_text(const std::vector<ParameterAdvice>& advice);
 
 }  // namespace patina

@@ -67,12 +67,21 @@ std::vector<Action> App::run_actions() {
        pause_or_resume,
        can_pause},
       {"Run", "Stop the run", {}, [this] { session_.stop(); }, can_pause},
+      {"Run",
+       "Close the run; its photo stays",
+       {},
+       [this] { session_.close_run(); },
+       [this] { return session_.has_run(); }},
       {"Run", "Continue the run", {}, [this] { session_.go_on(); }, [this] { return session_.can_go_on(); }},
   };
 }
 
 std::vector<Action> App::material_actions() {
-  std::vector<Action> actions;
+  std::vector<Action> actions{{"Material",
+                               "Material: find out which it is",
+                               {},
+                               [this] { session_.find_material(); },
+                               [this] { return session_.has_photo() && session_.photo_is_current(); }}};
   for (const std::string& name : material_names())
     actions.push_back({"Material", "Material: " + capitalised(name), {}, [this, name] {
                          session_.choices().set_material(name);
@@ -119,6 +128,11 @@ std::vector<Action> App::plot_actions() {
       {"Plot", "Gallery", {Shortcut::letter('G')}, show(Show::gallery)},
       {"Plot", "Mark draws with a box", {Shortcut::letter('B')}, take(MarkingTool::box)},
       {"Plot", "Mark draws with a lasso", {Shortcut::letter('L')}, take(MarkingTool::lasso)},
+      {"Plot",
+       "Mark draws by keyboard: arrows, Enter sets corners, Esc ends",
+       {Shortcut::letter('X')},
+       [this] { give_keys_to_plot(!scatter_.takes_keys()); },
+       [this] { return session_.has_run(); }},
       {"Plot",
        "Contours around half of the draws, and nine in ten",
        {Shortcut::letter('K')},
@@ -181,6 +195,11 @@ std::vector<Action> App::preview_actions() {
                      [this] { photo_.show_seen(!photo_.shows_seen()); },
                      has_photo});
   actions.push_back({"Photo",
+                     "Move the square by keyboard: arrows, + and -, Enter keeps it",
+                     {Shortcut::letter('Q')},
+                     [this] { give_keys_to_photo(!photo_.takes_keys()); },
+                     [this] { return session_.has_photo() && !session_.photo().whole.empty(); }});
+  actions.push_back({"Photo",
                      "Use the middle of the photo",
                      {},
                      [this] {
@@ -208,7 +227,11 @@ std::vector<Action> App::preview_actions() {
   compare("Difference of photo and render", 'D', Comparison::difference);
   compare("Flicker between photo and render", 'F', Comparison::flicker);
   const auto expose = [&](const char* name, char key, float change) {
-    actions.push_back({"Render", name, {Shortcut::character(key)}, [&view, change] { view.expose(change); }});
+    actions.push_back({"Render",
+                       name,
+                       {Shortcut::character(key)},
+                       [&view, change] { view.expose(change); },
+                       [this] { return !photo_.takes_keys(); }});
   };
   expose("Brighter by half a stop", '+', 0.5f);
   expose("Darker by half a stop", '-', -0.5f);

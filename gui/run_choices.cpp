@@ -93,15 +93,21 @@ void RunChoices::begin_photo(const Capture& capture) {
   history_ = History<State>({std::move(changed), std::nullopt});
 }
 
-void RunChoices::lock(const std::string& name, double value) {
-  RunSettings changed = settings();
+void RunChoices::hold_in(RunSettings& settings, const std::string& name, double value) const {
   if (const auto index = table_.find_continuous(name)) {
     const TruncatedNormal& prior = table_.continuous[*index].prior;
-    changed.fixed[name] = std::clamp(value, prior.low, prior.high);
+    settings.fixed[name] = std::clamp(value, prior.low, prior.high);
   } else if (const auto choice = table_.find_discrete(name)) {
     const auto last = static_cast<double>(table_.discrete[*choice].levels.size() - 1);
-    changed.fixed[name] = std::clamp(std::round(value), 0.0, last);
+    settings.fixed[name] = std::clamp(std::round(value), 0.0, last);
   }
+}
+
+void RunChoices::lock(const std::string& name, double value) { hold({{name, value}}); }
+
+void RunChoices::hold(const std::map<std::string, double>& values) {
+  RunSettings changed = settings();
+  for (const auto& [name, value] : values) hold_in(changed, name, value);
   change(std::move(changed), true);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -39,6 +40,8 @@ class RunChoices {
   /// it go. Unknown names are passed over.
   void lock(const std::string& name, double value);
   void unlock(const std::string& name);
+  /// As lock(), several as one step.
+  void hold(const std::map<std::string, double>& values);
   bool locked(const std::string& name) const { return settings().fixed.contains(name); }
 
   /// Replaces a continuous parameter's prior; its range is cut to the material's own.
@@ -67,6 +70,7 @@ class RunChoices {
     bool operator==(const State&) const = default;
   };
 
+  void hold_in(RunSettings& settings, const std::string& name, double value) const;
   void change(RunSettings settings, bool new_gesture);
   void refresh();
 

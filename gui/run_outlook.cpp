@@ -99,7 +99,7 @@ RunOutlook run_outlook(const RunStatus& status, const RunSettings& settings,
       outlook.done = 1;
       return outlook;
     default:
-      outlook.done = outlook_of_sampling(status, settings, evidence, spent).done;
+      outlook.done = outlook_of_sampling(status, settings, evidence, std::nullopt).done;
       return outlook;
   }
 }

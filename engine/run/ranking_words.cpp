@@ -10,8 +10,6 @@ namespace {
 // What Laplace's approximation is taken to be off by, nats: it has no error of its own to tell.
 constexpr double kLaplaceError = 3;
 
-double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
-
 /// "12 times", "about 10^17 times" beyond what a number says.
 std::string times(double nats) {
   char text[32];
@@ -39,6 +37,8 @@ std::string none_fits(const RankedMaterial& best) {
 }
 
 }  // namespace
+
+double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
 
 bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
   return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));

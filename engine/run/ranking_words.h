@@ -10,6 +10,9 @@ namespace patina {
 /// people who know no evidences.
 std::string in_words(const MaterialRanking& ranking);
 
+/// The standard deviation of a log evidence, or what Laplace's approximation is taken to be off by.
+double error_of(const RankedMaterial& material);
+
 /// Whether the better evidence of two could be the worse one: their errors, or the crudeness of Laplace's
 /// approximation where one has none, cover the difference.
 bool within_error(const RankedMaterial& a, const RankedMaterial& b);

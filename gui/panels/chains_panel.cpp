@@ -57,6 +57,23 @@ void draw_phase(const PanelContext& context) {
   elided_text(right, ImGui::GetContentRegionAvail().x, theme::kMuted);
 }
 
+/// While a run directory is read, which for a million draws takes a moment.
+void draw_reading(const PanelContext& context) {
+  Session& session = context.session;
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+  ImGui::TextUnformatted("Reading its draws");
+  ImGui::PopStyleColor();
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
+  ImGui::ProgressBar(static_cast<float>(session.status().read_fraction), {-1, 0.35f * ImGui::GetFontSize()},
+                     "");
+  ImGui::PopStyleColor();
+  muted_text(count_text(static_cast<long long>(session.model().draws().size())) + " so far");
+  ImGui::SetCursorPosY(ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight());
+  if (ImGui::Button("Cancel", {-1, 0})) context.commands.push_back([&session] { session.close_run(); });
+  tooltip("Close this run; nothing in its directory changes");
+}
+
 /// Below the bar: when the run will end, or why it has; then how far the chains agree.
 void draw_news(const Session& session, const RunOutlook& outlook,
                const std::optional<StopEvidence>& evidence) {
@@ -85,6 +102,7 @@ void draw_chain_row(int number, const ChainStatus& chain) {
   ImGui::Text("%d", number + 1);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(count_text(chain.iteration).c_str());
+  if (chain.iteration == 0) return;  // there is nothing to say of the rest yet
   ImGui::TableNextColumn();
   ImGui::Text("%.0f %%", 100 * chain.acceptance);
   ImGui::TableNextColumn();
@@ -156,6 +174,7 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect) {
                    : "Nothing is running.");
     return draw_stop_rules(context);
   }
+  if (session.status().read_fraction < 1) return draw_reading(context);
   draw_phase(context);
   const std::optional<StopEvidence> evidence = evidence_of(session);
   const RunOutlook outlook =

@@ -12,6 +12,7 @@ MaterialPanel::MaterialPanel() : materials_(material_names()) {}
 void MaterialPanel::draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown) {
   const PanelScope panel("Material", rect, context, ImGuiWindowFlags_NoScrollbar);
   draw_choices(context);
+  hint_.draw(context);
   draw_start(context, shown);
   draw_advice(context);
   ImGui::Spacing();
@@ -23,10 +24,17 @@ void MaterialPanel::draw_choices(const PanelContext& context) {
   const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   ImGui::SetNextItemWidth(half);
   if (ImGui::BeginCombo("##material", capitalised(session.settings().material).c_str())) {
+    const bool can_find = session.has_photo() && session.photo_is_current();
+    if (ImGui::Selectable("Auto: find out which", false, can_find ? 0 : ImGuiSelectableFlags_Disabled))
+      context.commands.push_back([&session] { session.find_material(); });
+    tooltip(
+        "Tries all materials on the photo and says how likely each is. Takes a few minutes, and is a hint: "
+        "you choose.");
     for (const std::string& name : materials_) {
       if (ImGui::Selectable(capitalised(name).c_str(), name == session.settings().material)) {
         context.commands.push_back([&session, name] { session.choices().set_material(name); });
       }
+      if (name == session.settings().material) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
   }
@@ -74,20 +82,27 @@ void MaterialPanel::draw_start(const PanelContext& context, const ShownDraw& sho
 }
 
 void MaterialPanel::draw_advice(const PanelContext& context) {
-  const auto loose = loosest(context.session);
-  if (!loose) return;
-  const char* hold = "Hold it";
-  const float room = ImGui::GetContentRegionAvail().x - button_width(hold) - ImGui::GetStyle().ItemSpacing.x;
+  Session& session = context.session;
+  const std::vector<ParameterAdvice> advice = advice_for_next_run(session);
+  if (advice.empty()) return;
+  std::string all;
+  for (const ParameterAdvice& a : advice) all += (all.empty() ? "" : "\n") + advice_sentence(a);
+  const std::map<std::string, double> held = frozen_by(advice);
+  const char* hold = held.size() == 1 ? "Hold it and go on" : "Hold these and go on";
+  const float room = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  elided_text("The photo does not pin down " + parameter_label(loose->name), room, theme::kWarning);
-  align_right(button_width(hold));
-  if (ImGui::Button(hold)) {
-    RunChoices& choices = context.session.choices();
-    context.commands.push_back([&choices, at = *loose] { choices.lock(at.name, at.value); });
+  if (held.empty()) {
+    elided_text(advice_title(advice.front()), room, theme::kMuted);
+    return tooltip(all);
   }
-  tooltip("Locks it where its draws lie on average, " + number_text(loose->value) +
-          ", for the next run: one parameter less to infer, at nothing that this photo could tell. Choose "
-          "another value by taste: select a draw and click the lock.");
+  elided_text(holdable_text(advice), room - button_width(hold) - ImGui::GetStyle().ItemSpacing.x,
+              theme::kWarning);
+  tooltip(all);
+  align_right(button_width(hold));
+  if (ImGui::Button(hold)) context.commands.push_back([&session, held] { session.hold_and_go_on(held); });
+  tooltip(all + "\n\nStarts the next run from the best match with " + (held.size() == 1 ? "this" : "these") +
+          " held: less to infer, at nothing that this photo could tell. The draws of this run stay on disk. "
+          "Choose another value by taste: select a draw and click the lock.");
 }
 
 }  // namespace patina

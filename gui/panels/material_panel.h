@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/panels/material_hint.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/parameter_table.h"
 #include "gui/shown_draw.h"
@@ -14,6 +15,7 @@ class MaterialPanel {
  public:
   MaterialPanel();
   void draw(const PanelContext& context, const Rect& rect, const ShownDraw& shown);
+  const MaterialHint& hint() const { return hint_; }
   const ParameterTableView& table() const { return table_; }
 
  private:
@@ -22,6 +24,7 @@ class MaterialPanel {
   void draw_advice(const PanelContext& context);
 
   std::vector<std::string> materials_;
+  MaterialHint hint_;
   ParameterTableView table_;
 };
 

@@ -69,8 +69,15 @@ void elided_text(const std::string& text, float width, ImU32 color) {
   if (!fits) tooltip(text);
 }
 
+bool mouse_rests_after_click() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 clicked = io.MouseClickedPos[ImGuiMouseButton_Left];
+  const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y;
+  return x * x + y * y < io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
 void tooltip(const std::string& text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || mouse_rests_after_click()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());

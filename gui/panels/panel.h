@@ -41,7 +41,10 @@ void muted_text(const std::string& text);
 /// One line of text, its middle left out where it is too long for `width`; the whole in a tooltip then.
 void elided_text(const std::string& text, float width, ImU32 color);
 
-/// A tooltip for the item before, in a box of readable width.
+/// Whether the mouse is still where it clicked: whoever clicked knows, and wants to see what came of it.
+bool mouse_rests_after_click();
+
+/// A tooltip for the item before, in a box of readable width; not while mouse_rests_after_click().
 void tooltip(const std::string& text);
 
 /// A button in the accent colour: what to do next.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gui/clipping.h"
+#include "gui/panels/keys.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
@@ -64,6 +65,7 @@ void PhotoPanel::follow(const Session& session) {
   clipped_share_ = covered_share(overlay);
   version_ = session.photo_version();
   handle_ = CropHandle::none;
+  by_keys_.reset();
 }
 
 const Texture* PhotoPanel::compared(const Session& session) {
@@ -150,7 +152,45 @@ void PhotoPanel::draw_picture(const PanelContext& context, const Rect& room) {
   if (photo.whole.empty()) return tooltip("What the run compares its renders with");
   const float scale = place_.size.x / static_cast<float>(photo.original_width);
   handle_drag(context, scale);
-  draw_square(handle_ != CropHandle::none ? dragged_ : session.chosen_crop(), scale);
+  handle_keys(context);
+  draw_square(by_keys_ ? *by_keys_ : handle_ != CropHandle::none ? dragged_ : session.chosen_crop(), scale);
+  if (by_keys_) draw_help();
+}
+
+void PhotoPanel::draw_help() const {
+  const char* help = "Arrows move, + and - resize,\nEnter keeps, Esc leaves";
+  const float pad = 0.4f * ImGui::GetFontSize();
+  const ImVec2 size = ImGui::CalcTextSize(help);
+  const ImVec2 corner{place_.position.x + pad, place_.position.y + place_.size.y - size.y - 3 * pad};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + size.x + 2 * pad, corner.y + size.y + 2 * pad},
+                     IM_COL32(0, 0, 0, 190), pad);
+  list.AddText({corner.x + pad, corner.y + pad}, IM_COL32_WHITE, help);
+}
+
+void PhotoPanel::take_keys(const Session& session, bool taken) {
+  by_keys_.reset();
+  if (taken) by_keys_ = session.chosen_crop();
+}
+
+void PhotoPanel::handle_keys(const PanelContext& context) {
+  if (!by_keys_ || keys_are_elsewhere()) return;
+  Session& session = context.session;
+  const int width = session.photo().original_width, height = session.photo().original_height;
+  const ImGuiIO& io = ImGui::GetIO();
+  const int step = std::max(1, std::min(width, height) / (io.KeyShift ? 300 : 40));
+  const ImVec2 arrows = pressed_arrows();
+  if (arrows.x != 0 || arrows.y != 0)
+    by_keys_ = dragged_crop(*by_keys_, CropHandle::inside, step * arrows.x, step * arrows.y, width, height);
+  const auto typed = [&](char character) {
+    return static_cast<int>(io.InputQueueCharacters.contains(static_cast<ImWchar>(character)));
+  };
+  if (const int grown = typed('+') + typed('=') - typed('-'); grown != 0)
+    by_keys_ = resized_crop(*by_keys_, 2 * step * grown, width, height);
+  if (!enter_pressed()) return;
+  if (*by_keys_ != session.chosen_crop())
+    context.commands.push_back([&session, crop = *by_keys_] { session.crop_to(crop); });
+  by_keys_.reset();
 }
 
 void PhotoPanel::handle_drag(const PanelContext& context, float scale) {

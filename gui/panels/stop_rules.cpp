@@ -5,7 +5,7 @@
 namespace patina {
 namespace {
 
-constexpr const char* kButton = "Ends...";
+constexpr const char* kButton = "Stop when...";
 
 /// @return whether another value was typed
 bool edit(const char* label, const char* format, const char* what, double& value) {

@@ -9,7 +9,10 @@ class AppKeyboard : public AppTest {
  protected:
   static constexpr int kF6 = 295;  // as GLFW has it
 
-  void tap(ImGuiKey key) { press(ImGui::GetKeyIndex(key)); }
+  void tap(ImGuiKey key, int times = 1) {
+    for (int i = 0; i < times; ++i) window_->tap_key(ImGui::GetKeyIndex(key));
+    answer_input();
+  }
   void go_to_panel(int panels) {
     for (int i = 0; i < std::abs(panels); ++i)
       press(kF6, panels < 0 ? ImGuiKeyModFlags_Shift : ImGuiKeyModFlags_None);
@@ -64,6 +67,61 @@ TEST_F(AppKeyboard, ChoosesFromAListWithoutAMouse) {
   tap(ImGuiKey_DownArrow);
   tap(ImGuiKey_Space);
   EXPECT_NE(choices().settings().material, "bump");
+}
+
+TEST_F(AppKeyboard, MarksExactlyTheDrawsInABoxWithoutAMouse) {
+  start_run_of({draw(0.3, 0.3, -1), draw(0.5, 0.5, -2), draw(0.7, 0.7, -3)});
+  press('X');
+  tap(ImGuiKey_Enter);  // in the middle
+  tap(ImGuiKey_RightArrow, 16);
+  tap(ImGuiKey_UpArrow, 16);
+  EXPECT_FALSE(app_.session().model().selected()) << "arrows walk through no draws meanwhile";
+  tap(ImGuiKey_Enter);
+  const DrawSet& marked = app_.session().model().marked();
+  EXPECT_FALSE(marked.contains(0));
+  EXPECT_TRUE(marked.contains(2)) << "right of the middle, and above";
+  tap(ImGuiKey_LeftArrow, 16);
+  tap(ImGuiKey_DownArrow, 16);
+  tap(ImGuiKey_Space);
+  EXPECT_EQ(run_->pauses, 0) << "Space sets a corner meanwhile";
+  tap(ImGuiKey_LeftArrow, 16);
+  tap(ImGuiKey_DownArrow, 16);
+  press(ImGui::GetKeyIndex(ImGuiKey_Enter), ImGuiKeyModFlags_Shift);
+  EXPECT_TRUE(marked.contains(0)) << "with Shift it is added";
+  EXPECT_TRUE(marked.contains(2));
+  tap(ImGuiKey_Escape);
+  EXPECT_EQ(marked.size(), 2u + marked.contains(1)) << "Esc ends the marking, not what is marked";
+  tap(ImGuiKey_RightArrow);
+  EXPECT_TRUE(app_.session().model().selected()) << "arrows walk through the draws again";
+}
+
+TEST_F(AppKeyboard, MovesAndResizesTheSquareOfThePhotoWithoutAMouse) {
+  const std::filesystem::path wide = folder_.path() / "wide.png";
+  write_image(wide, Image(160, 80, 3));
+  app_.open(wide);
+  ASSERT_TRUE(frames_until([&] { return app_.session().has_photo(); }));
+  frames(2);
+  ASSERT_EQ(app_.session().chosen_crop(), (PhotoCrop{40, 0, 80}));
+  const float stops = app_.preview().view().stops;
+  press('Q');
+  tap(ImGuiKey_LeftArrow);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{40, 0, 80})) << "it is kept by Enter";
+  tap(ImGuiKey_Enter);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{38, 0, 80}));
+  press('Q');
+  for (int i = 0; i < 3; ++i) {
+    window_->type("-");
+    answer_input();
+  }
+  EXPECT_EQ(app_.preview().view().stops, stops) << "- resizes the square meanwhile";
+  tap(ImGuiKey_Enter);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{44, 6, 68}));
+  press('Q');
+  tap(ImGuiKey_RightArrow);
+  tap(ImGuiKey_Escape);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{44, 6, 68})) << "Esc leaves it as it was";
+  press('Z', ImGuiKeyModFlags_Ctrl);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{38, 0, 80}));
 }
 
 }  // namespace

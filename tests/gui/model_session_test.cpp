@@ -39,6 +39,7 @@ class SessionTest : public ::testing::Test {
                            const std::filesystem::path& directory, auto) {
       if (refuse_) throw UserError("Refused for the test.");
       started_ = settings;
+      if (factory_makes_directories_) std::filesystem::create_directories(directory);
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
     factory.resume = [this](const RunSettings& settings, const Photo& photo,
@@ -46,7 +47,7 @@ class SessionTest : public ::testing::Test {
       resumed_ = settings;
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
-    factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
+    factory.open = [this](const std::filesystem::path& directory, auto) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
         throw UserError("There is no run in " + directory.string() + ".");
       return std::make_unique<FakeSource>(run_, RunSettings(), testing::small_table(), Image(40, 40, 3),
@@ -60,7 +61,7 @@ class SessionTest : public ::testing::Test {
   std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();
   RunSettings started_;
   std::optional<RunSettings> resumed_;
-  bool refuse_ = false;
+  bool refuse_ = false, factory_makes_directories_ = false;
   Session session_{factory(), folder_.path() / "runs", {}};
 };
 
@@ -123,16 +124,29 @@ TEST_F(SessionTest, TellsWhichParameterThePhotoLeavesOpen) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return judged(draws);
   };
+  const auto held = [&] { return frozen_by(advice_for_next_run(session_)); };
   feed(40);
   ASSERT_TRUE(wait(40));
-  EXPECT_FALSE(loosest(session_)) << "too few draws to say so";
+  EXPECT_TRUE(held().empty()) << "too few draws to say so";
   feed(1160);
   ASSERT_TRUE(wait(1200));
-  ASSERT_TRUE(loosest(session_));
-  EXPECT_EQ(loosest(session_)->name, "rough");
-  EXPECT_NEAR(loosest(session_)->value, 0.5, 5 * 0.2 / std::sqrt(1200));
-  session_.choices().lock("rough", loosest(session_)->value);
-  EXPECT_FALSE(loosest(session_)) << "what is held needs no advice";
+  ASSERT_EQ(held().size(), 1u);
+  const double value = held().at("rough");
+  EXPECT_NEAR(value, 0.5, 5 * 0.2 / std::sqrt(1200));
+  EXPECT_EQ(holdable_text(advice_for_next_run(session_)), "The photo leaves open: Roughness");
+  session_.choices().set_material("leather");
+  EXPECT_TRUE(advice_for_next_run(session_).empty()) << "of another material nothing is known";
+  session_.choices().undo();
+
+  run_->status.best = prior_location(session_.choices().table());
+  run_->status.best_lp = 1;
+  session_.poll();
+  const int steps = static_cast<int>(session_.choices().steps());
+  session_.hold_and_go_on(held());
+  EXPECT_EQ(started_.fixed, (std::map<std::string, double>{{"rough", value}}));
+  EXPECT_EQ(started_.start, "values");
+  EXPECT_EQ(session_.choices().steps(), steps + 1);
+  EXPECT_TRUE(advice_for_next_run(session_).empty()) << "the new run has to draw first";
 }
 
 TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
@@ -156,6 +170,41 @@ TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
   session_.poll();
   session_.go_on();
   EXPECT_EQ(resumed_->draws, 2 * started_.draws);
+}
+
+TEST_F(SessionTest, ChoosesTheMaterialThatIsFoundAndKeepsWhyWithTheRun) {
+  RankSettings asked;
+  RunFactory factory = this->factory();
+  factory.rank = [&](const Image& photo, const RankSettings& settings, auto&&...) {
+    EXPECT_EQ(photo.width, 40);
+    asked = settings;
+    RankedMaterial leather;
+    leather.material = "leather";
+    leather.match = prior_location(material_table("leather"));
+    return std::optional(MaterialRanking{{leather}, "gram", "leather, the only one compared."});
+  };
+  Session session(factory, folder_.path() / "runs", {});
+  session.open(photo_);
+  session.choices().set_size_cm(12);
+  session.find_material();
+  for (int i = 0; i < 1000 && session.hint() == nullptr; ++i) {
+    session.poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_NE(session.hint(), nullptr);
+  EXPECT_EQ(asked.capture.size_cm, 12);
+  EXPECT_EQ(session.settings().material, "leather");
+  session.start();  // the fake run makes no directory: that its reasons cannot be kept does not end it
+  EXPECT_TRUE(session.has_run());
+  factory_makes_directories_ = true;
+  session.start();
+  EXPECT_TRUE(std::filesystem::exists(session.run().directory() / "ranking.json"));
+  session.choices().set_size_cm(13);
+  EXPECT_EQ(session.hint(), nullptr) << "of another size it says nothing";
+  session.choices().undo();
+  EXPECT_NE(session.hint(), nullptr);
+  session.open(photo_);
+  EXPECT_EQ(session.hint(), nullptr) << "of another photo it says nothing";
 }
 
 TEST_F(SessionTest, TakesInEveryDrawOnce) {

@@ -61,14 +61,31 @@ class FirstMinutes : public ::testing::Test {
     write_image(pictures_ / (std::to_string(++steps_) + "-" + step + ".png"), image_of(picture));
   }
 
+  /// Waits until the eye finds something in the window. @return where
+  std::optional<Place> look_for(const std::function<std::optional<Place>(const Desktop::Picture&)>& find) {
+    std::optional<Place> place;
+    comes_true([&] { return (place = find(desktop_->picture(window_))).has_value(); });
+    return place;
+  }
+
+  /// Presses a key, gives the window a moment to answer, and keeps what it shows.
+  void press(const std::string& key, const std::string& step) {
+    desktop_->press(key);
+    pause(2);
+    keep(step);
+  }
+
   void command(const std::string& name) {
     desktop_->press("ctrl+k");
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    pause(0.6);
     desktop_->type(name);
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    pause(0.6);
     desktop_->press("Return");
   }
 
+  static void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+  std::unique_ptr<XServer> server_;  // goes after who looks at it
   std::filesystem::path pictures_;
   std::unique_ptr<Desktop> desktop_;
   Desktop::Window window_ = 0;
@@ -81,38 +98,38 @@ TEST_F(FirstMinutes, GoWithoutTheReadme) {
     GTEST_SKIP() << "takes minutes: name a folder for its pictures in PATINA_FIRST_MINUTES.";
   const std::filesystem::path photo = std::filesystem::path(PATINA_SHARED_DIR) / "photos" / "leather_3.jpg";
   if (!std::filesystem::exists(photo)) GTEST_SKIP() << "needs the photo " << photo;
-  const auto server = XServer::start(kWidth, kHeight);
-  if (!server) GTEST_SKIP() << "Xvfb does not start: install the test packages (packaging/packages.txt).";
+  server_ = XServer::start(kWidth, kHeight);
+  if (!server_) GTEST_SKIP() << "Xvfb does not start: install the test packages (packaging/packages.txt).";
   pictures_ = folder;
   std::filesystem::create_directories(pictures_);
   const TemporaryFolder home;
   const std::filesystem::path runs = home.path() / "patina" / "runs";
-  Program patina({program().string(), "--size", "1280x800"}, {{"DISPLAY", server->display()},
+  Program patina({program().string(), "--size", "1280x800"}, {{"DISPLAY", server_->display()},
                                                               {"HOME", home.path().string()},
                                                               {"XDG_DATA_HOME", home.path().string()},
                                                               {"XDG_CONFIG_HOME", home.path().string()}});
-  desktop_ = std::make_unique<Desktop>(server->display());
+  desktop_ = std::make_unique<Desktop>(server_->display());
 
   // Start.
   ASSERT_TRUE(comes_true([&] { return desktop_->window().has_value(); })) << "no window";
   window_ = *desktop_->window();
   keep("starting");
   ASSERT_TRUE(comes_true([&] { return runs_in(runs).size() == 1; })) << "the sample starts by itself";
+  pause(3);
   keep("sample");
 
   // Drop a photo.
   ASSERT_TRUE(desktop_->drop(window_, std::filesystem::canonical(photo)));
   ASSERT_TRUE(comes_true([&] { return desktop_->title(window_).starts_with("leather_3"); }));
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  pause(2);
   keep("dropped");
 
   // Choose leather, start.
   command("material: leather");
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  pause(2);
   keep("leather");
-  std::optional<Place> start;
-  ASSERT_TRUE(
-      comes_true([&] { return (start = find_bar(desktop_->picture(window_), kAccent)).has_value(); }));
+  const auto start = look_for([](const auto& picture) { return find_bar(picture, kAccent); });
+  ASSERT_TRUE(start) << "the button to start with";
   desktop_->click(start->x, start->y + 8);
   std::filesystem::path run;
   ASSERT_TRUE(comes_true([&] {
@@ -120,6 +137,7 @@ TEST_F(FirstMinutes, GoWithoutTheReadme) {
       if (each.filename().string().starts_with("leather_3-leather")) run = each;
     return !run.empty();
   })) << "the click starts a run";
+  pause(2);
   keep("searching");
 
   // Watch.
@@ -128,35 +146,30 @@ TEST_F(FirstMinutes, GoWithoutTheReadme) {
             [&] { return std::filesystem::exists(run / "chain-1.csv") && lines(run / "chain-1.csv") > 60; }))
       break;
   keep("first-draws");
-  std::optional<Place> point;
-  ASSERT_TRUE(comes_true([&] { return (point = find_point(desktop_->picture(window_))).has_value(); }));
+  const auto point = look_for(find_point);
+  ASSERT_TRUE(point) << "a draw to click";
 
   // Click, compare.
   desktop_->click(point->x, point->y);
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  pause(2);
   keep("clicked");
-  desktop_->press("w");
-  std::this_thread::sleep_for(std::chrono::seconds(1));
-  keep("compared");
+  press("w", "compared");
 
   // Star.
   desktop_->press("s");
   EXPECT_TRUE(comes_true([&] { return std::filesystem::exists(run / "stars.json"); }))
       << "a star is kept at once";
-  desktop_->press("g");
-  std::this_thread::sleep_for(std::chrono::seconds(3));
-  keep("gallery");
+  press("g", "gallery");
 
   // Export.
-  desktop_->press("ctrl+e");
-  std::this_thread::sleep_for(std::chrono::seconds(1));
-  keep("export");
+  press("ctrl+e", "export");
   desktop_->press("Return");
   EXPECT_TRUE(comes_true([&] {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(home.path()))
       if (entry.path().filename() == "maps.json") return true;
     return false;
   })) << "the maps lie in the folder that was offered";
+  pause(2);
   keep("exported");
 
   desktop_->close(window_);
