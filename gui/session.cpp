@@ -66,11 +66,7 @@ void Session::another_photo() {
 
 void Session::find_material() {
   assert(has_photo() && photo_is_current());
-  RankSettings asked;
-  asked.capture = settings().capture;
-  asked.network = settings().network;
-  asked.seed = settings().seed;
-  asked.z_seed = settings().z_seed;
+  const RankSettings asked = first_cut(settings(), settings().capture);
   asked_ = {{}, photo_version_, asked.capture};
   finder_.start(std::make_shared<const Image>(photo_->image), asked);
 }

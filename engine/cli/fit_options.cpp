@@ -142,14 +142,7 @@ std::optional<PhotoCrop> FitOptions::crop() const {
   return freeze_.empty() ? std::nullopt : read_manifest(freeze_).crop;
 }
 
-RankSettings FitOptions::rank_settings() const {
-  RankSettings settings;
-  settings.capture = capture_.capture();
-  settings.network = parsed_.network;
-  settings.seed = parsed_.seed;
-  settings.z_seed = parsed_.z_seed;
-  return settings;
-}
+RankSettings FitOptions::rank_settings() const { return first_cut(parsed_, capture_.capture()); }
 
 RunSettings FitOptions::frozen_settings() const {
   const auto run = open_run(freeze_);

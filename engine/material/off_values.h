@@ -7,7 +7,7 @@ namespace patina {
 
 /// The values at which a component of a material is not there: no glow, no fine grain, one roughness ... By
 /// parameter, as the material's file has them ("off", resources/materials/README.md).
-/// @throws UserError for a file that cannot be read, or an "off" outside its parameter's range
+/// A run's own table need not hold them. @throws UserError for a material's file that cannot be used
 std::map<std::string, double> off_values(const std::string& material);
 
 }  // namespace patina

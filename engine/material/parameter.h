@@ -23,8 +23,9 @@ struct Parameter {
   std::string unit;         ///< "cm", "cycles/cm", "degrees" or "" for a plain number
   std::string description;  ///< one line
   TruncatedNormal prior;
-  double camera_power = 0;  ///< of the camera's distance, that the prior grows with (capture_priors.h)
-  bool jagged = false;      ///< a place in a random map: a small step is another surface (LogDensity::jagged)
+  double camera_power = 0;         ///< of the camera's distance, that the prior grows with (capture_priors.h)
+  std::optional<double> off = {};  ///< where what it scales is not there (off_values.h)
+  bool jagged = false;  ///< a place in a random map: a small step is another surface (LogDensity::jagged)
 };
 
 /// A discrete parameter: a choice among named levels, all equally likely a priori.

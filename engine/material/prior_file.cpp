@@ -77,6 +77,12 @@ class PriorFile {
         refuse("the camera_power of '" + parameter.name + "' is not a number from -4 to 4");
       parameter.camera_power = power;
     }
+    if (json.contains("off")) {
+      const Json& off = json["off"];
+      if (!off.is_number() || off < parameter.prior.low || off > parameter.prior.high)
+        refuse("'off' of '" + parameter.name + "' is not a number in the prior's range");
+      parameter.off = off;
+    }
     return parameter;
   }
 

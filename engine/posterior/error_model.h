@@ -15,8 +15,8 @@ namespace patina {
 ///   logarithmic blocks (spectra): sigma = relative_sigma * sqrt(entries). Power is a second moment, as a
 ///   Gram
 ///     matrix is, and a small error of its logarithm is its relative error: half the chi-square is (root mean
-///     square error of the logarithms / relative_sigma)^2 / 2, that of one Gram matrix. At 0.15 and 8
-///     rings sigma is 0.42; with z alone, the coarsest ring, of 4 independent waves, scatters by about 0.5;
+///     square error of the logarithms / relative_sigma)^2 / 2, that of one Gram matrix. At 0.2 and 8 rings
+///     sigma is 0.57; with z alone, the coarsest ring, of 4 independent waves, scatters by about 0.5;
 ///   regional blocks (mean colours): sigma = absolute_sigma * sqrt(entries / 12), display units. What a model
 ///     gets wrong about a highlight is smooth: neighbouring regions share it, and regions half the size are
 ///     not twice the evidence. absolute_sigma is that of the 4 regions and 3 colours of "means".

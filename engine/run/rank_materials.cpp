@@ -10,6 +10,7 @@
 #include "engine/run/ranking_words.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_control.h"
+#include "engine/run/run_settings.h"
 #include "engine/run/threads.h"
 
 namespace patina {
@@ -62,10 +63,10 @@ class Ranking {
   }
 
   MaterialRanking run() {
-    const double first_cut = settings_.finalists > 0 ? 0.4 : 1;
-    work_through(0, first_cut, "looking for a match in ", &MaterialEvidence::search);
+    const double searched = settings_.finalists > 0 ? 0.4 : 1;
+    work_through(0, searched, "looking for a match in ", &MaterialEvidence::search);
     drop_the_hopeless();
-    if (settings_.finalists > 0) work_through(first_cut, 1, "weighing ", &MaterialEvidence::measure);
+    if (settings_.finalists > 0) work_through(searched, 1, "weighing ", &MaterialEvidence::measure);
     MaterialRanking ranking;
     for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
     for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());
@@ -117,6 +118,16 @@ class Ranking {
 };
 
 }  // namespace
+
+RankSettings first_cut(const RunSettings& settings, const Capture& capture) {
+  RankSettings rank;
+  rank.capture = capture;
+  rank.network = settings.network;
+  rank.finalists = 0;
+  rank.seed = settings.seed;
+  rank.z_seed = settings.z_seed;
+  return rank;
+}
 
 std::optional<MaterialRanking> rank_materials(
     const Image& photo, const RankSettings& settings,

@@ -14,6 +14,8 @@
 
 namespace patina {
 
+struct RunSettings;
+
 /// What a ranking of materials is asked for.
 struct RankSettings {
   std::vector<std::string> materials;  ///< by name; empty: all
@@ -56,6 +58,10 @@ struct MaterialRanking {
 
 constexpr int kLeastRankResolution = 32;
 constexpr double kPoorMatch = 2;
+
+/// What a run that is to choose its own material asks for: the first cut alone, since weighing the finalists
+/// takes longer than the artist who asked is ready to wait.
+RankSettings first_cut(const RunSettings& settings, const Capture& capture);
 
 /// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few
 /// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.

@@ -83,6 +83,16 @@ TEST_F(PriorFile, APriorMayGrowWithTheCamerasDistance) {
   expect_refusal(with_power("40"), "'light'");
 }
 
+TEST_F(PriorFile, WhatAParameterScalesMayBeAbsentSomewhereInItsRange) {
+  EXPECT_EQ(read(kGood).continuous[0].off, std::nullopt);
+  const auto with_off = [&](const std::string& off) {
+    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"off\": " + off);
+  };
+  EXPECT_EQ(read(with_off("0")).continuous[0].off, 0);
+  expect_refusal(with_off("-1"), "'light'");
+  expect_refusal(with_off("null"), "'light'");
+}
+
 TEST_F(PriorFile, NotJsonIsRefused) {
   expect_refusal("", "JSON");
   expect_refusal("[1, 2]", "JSON");
