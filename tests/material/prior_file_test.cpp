@@ -34,6 +34,11 @@ class PriorFile : public testing::Test {
     return text.replace(text.find(from), from.size(), to);
   }
 
+  /// The good file with one more field of its first parameter.
+  std::string with_field_of_light(const std::string& field, const std::string& value) const {
+    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"" + field + "\": " + value);
+  }
+
   void expect_refusal(const std::string& text, const std::string& field) const {
     try {
       read(text);
@@ -75,22 +80,16 @@ TEST_F(PriorFile, GoodOneIsReadAsItStands) {
 
 TEST_F(PriorFile, APriorMayGrowWithTheCamerasDistance) {
   EXPECT_EQ(read(kGood).continuous[0].camera_power, 0);
-  const auto with_power = [&](const std::string& power) {
-    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"camera_power\": " + power);
-  };
-  EXPECT_EQ(read(with_power("2")).continuous[0].camera_power, 2);
-  expect_refusal(with_power("\"2\""), "'light'");
-  expect_refusal(with_power("40"), "'light'");
+  EXPECT_EQ(read(with_field_of_light("camera_power", "2")).continuous[0].camera_power, 2);
+  expect_refusal(with_field_of_light("camera_power", "\"2\""), "'light'");
+  expect_refusal(with_field_of_light("camera_power", "40"), "'light'");
 }
 
 TEST_F(PriorFile, WhatAParameterScalesMayBeAbsentSomewhereInItsRange) {
   EXPECT_EQ(read(kGood).continuous[0].off, std::nullopt);
-  const auto with_off = [&](const std::string& off) {
-    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"off\": " + off);
-  };
-  EXPECT_EQ(read(with_off("0")).continuous[0].off, 0);
-  expect_refusal(with_off("-1"), "'light'");
-  expect_refusal(with_off("null"), "'light'");
+  EXPECT_EQ(read(with_field_of_light("off", "0")).continuous[0].off, 0);
+  expect_refusal(with_field_of_light("off", "-1"), "'light'");
+  expect_refusal(with_field_of_light("off", "null"), "'light'");
 }
 
 TEST_F(PriorFile, NotJsonIsRefused) {
