@@ -17,6 +17,7 @@ using Command = std::function<int()>;
 
 // Each adds one sub-command; parsing it sets `chosen`.
 void add_fit(CLI::App& app, Command& chosen);
+void add_predict(CLI::App& app, Command& chosen);
 void add_render(CLI::App& app, Command& chosen);
 void add_summarize(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);

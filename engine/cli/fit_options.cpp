@@ -1,6 +1,7 @@
 #include "engine/cli/fit_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <type_traits>
 
 #include "engine/error.h"
@@ -9,6 +10,7 @@
 #include "engine/material/off_values.h"
 #include "engine/material/registry.h"
 #include "engine/run/advice.h"
+#include "engine/run/chain_start.h"
 #include "engine/run/manifest.h"
 #include "engine/run/run.h"
 #include "engine/run/run_files.h"
@@ -89,9 +91,11 @@ void FitOptions::add_sampler(CLI::App& command) {
       "Rungs of a ladder from prior to posterior that every chain travels, so that it finds matches far from "
       "each other, at about so many times the cost (2 to 64; 0: none)");
   command
-      .add_option("--start", start_,
-                  "Where chains begin: map (spread about the best match), prior (a draw of it each), "
-                  "prior-mean, or a file of parameters as `export --format json` writes it (default: map)")
+      .add_option(
+          "--start", start_,
+          "Where chains begin: map (spread about the best match), predict (where a trained network guesses, "
+          "without a global search), prior (a draw of it each), prior-mean, or a file of parameters as "
+          "`export --format json` writes it (default: map)")
       ->type_name("WHERE|FILE");
   add(command, "--discrete", &RunSettings::discrete, "Proposal of discrete levels: joint, single");
 }
@@ -121,7 +125,7 @@ void FitOptions::set_start(RunSettings& settings) const {
   if (start_.empty() || settings.material == kAutomatic) return;
   settings.start_at.clear();
   settings.start = start_;
-  if (start_ == "map" || start_ == "prior" || start_ == "prior-mean") return;
+  if (start_ != "values" && std::ranges::count(start_names(), start_) > 0) return;
   settings.start = "values";
   const ParameterTable table = table_under(material_table(settings.material), settings.capture);
   const ParameterValues values = read_params(start_, table, prior_location(table));

@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Command chosen;
   add_fit(app, chosen);
+  add_predict(app, chosen);
   add_render(app, chosen);
   add_summarize(app, chosen);
   add_export(app, chosen);
@@ -46,7 +47,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::RequiredError& error) {
     const bool no_command = app.get_subcommands().empty();
     return refuse(no_command
-                      ? "Name a command: fit, compare, render, summarize, export, materials, chart or stress "
+                      ? "Name a command: fit, predict, compare, render, summarize, export, materials, chart or "
+                        "stress "
                         "(see patina-cli --help)"
                       : with_help(error.what()),
                   kBadInput);

@@ -3,11 +3,9 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/core/Tensor.h>
 #include <ATen/core/grad_mode.h>
-#include <ATen/ops/from_blob.h>
 #include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/tensor.h>
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,17 +20,11 @@
 #include "engine/material/registry.h"
 #include "engine/posterior/error_model.h"
 #include "engine/posterior/parameter_space.h"
+#include "engine/summary/image_tensor.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
 namespace {
-
-/// [3, n, n] float32 from a square RGB image.
-at::Tensor to_tensor(const Image& image) {
-  assert(image.channels == 3 && image.width == image.height);
-  auto* pixels = const_cast<float*>(image.pixels.data());
-  return at::from_blob(pixels, {image.height, image.width, 3}, at::kFloat).permute({2, 0, 1}).contiguous();
-}
 
 Evaluation outside_support(Eigen::Index dimension) {
   return {-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(dimension)};

@@ -60,7 +60,7 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
   return mode;
 }
 
-std::vector<std::string> start_names() { return {"map", "prior", "prior-mean", "values"}; }
+std::vector<std::string> start_names() { return {"map", "predict", "prior", "prior-mean", "values"}; }
 
 ChainState start_at(const LogDensity& target, const std::function<Position(Rng&)>& propose, Rng& rng) {
   for (int i = 0; i < kStartTries; ++i) {

@@ -25,7 +25,7 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
 
 constexpr int kStartTries = 8;
 
-/// The settings for RunSettings::start: "map", "prior", "prior-mean", "values".
+/// The settings for RunSettings::start: "map", "predict", "prior", "prior-mean", "values".
 std::vector<std::string> start_names();
 
 /// The first place of finite density among kStartTries that `propose` names.

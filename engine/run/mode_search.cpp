@@ -14,6 +14,15 @@ namespace {
 /// At fewer pixels the grain that tells leathers apart is gone, and the search settles in the wrong basin.
 constexpr int kCoarsest = 128;
 
+/// From guesses that are about right.
+MapSearchSettings local_search() {
+  MapSearchSettings settings;
+  settings.prior_draws = 8;
+  settings.descents = 2;
+  settings.finalists = 1;
+  return settings;
+}
+
 void report(RunShared& shared, const Posterior& posterior, double fraction, const Position& best, double lp) {
   shared.edit_status([&](RunStatus& status) {
     status.search_fraction = fraction;
@@ -42,7 +51,7 @@ std::vector<int> pyramid(int resolution) {
 }
 
 ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    RunShared& shared) {
+                    const std::vector<Position>& guesses, RunShared& shared) {
   std::vector<std::unique_ptr<ControlledDensity>> controlled;
   std::vector<const LogDensity*> targets;
   for (const auto& posterior : posteriors) {
@@ -50,7 +59,8 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
     targets.push_back(controlled.back().get());
   }
   const Posterior& posterior = *posteriors.back();
-  MapSearchSettings search;
+  MapSearchSettings search = settings.start == "predict" ? local_search() : MapSearchSettings{};
+  search.guesses = guesses;
   search.threads = hardware_threads();
   search.enter_thread = [] { use_tensor_threads(1); };
   search.progress = [&](double fraction, const Position& best, double lp) {

@@ -24,8 +24,9 @@ struct ModeFound {
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so
 /// far.
 /// @param posteriors  one per level of the pyramid
+/// @param guesses     where it looks first; with RunSettings::start "predict" almost only there
 /// @throws RunStopped
 ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    RunShared& shared);
+                    const std::vector<Position>& guesses, RunShared& shared);
 
 }  // namespace patina

@@ -16,6 +16,7 @@
 #include "engine/run/manifest_phase.h"
 #include "engine/run/network_checksum.h"
 #include "engine/run/posterior_settings.h"
+#include "engine/run/predicted_start.h"
 #include "engine/run/run_alarms.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
@@ -64,8 +65,13 @@ ParameterValues start_values(const ParameterTable& table, const RunSettings& set
   return values;
 }
 
-std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSettings& settings) {
+std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSettings& settings,
+                                       const Image& photo) {
   if (settings.start == "map") return {};
+  if (settings.start == "predict")
+    return [&, prediction = prediction_for(settings, photo)](Rng& rng) {
+      return posterior.position(prediction.draw(rng));
+    };
   if (settings.start == "prior") return [&](Rng& rng) { return prior_draw(posterior, rng); };
   return [place = posterior.position(start_values(posterior.table(), settings))](Rng&) { return place; };
 }
@@ -215,7 +221,8 @@ ModeFound SamplerRun::search() {
     shared_.control.checkpoint();
     posteriors_.push_back(std::make_unique<Posterior>(posterior_settings(settings_, levels[i]), photo_));
   }
-  ModeFound found = find_mode(posteriors_, settings_, shared_);
+  ModeFound found =
+      find_mode(posteriors_, settings_, predicted_guesses(settings_, photo_, *posteriors_.front()), shared_);
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   return found;
 }
@@ -235,7 +242,7 @@ void SamplerRun::sample(const ModeFound& found) {
                        .laplace = found.laplace,
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = start_of(posterior, settings_)};
+                       .start = start_of(posterior, settings_, photo_)};
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());

@@ -54,7 +54,7 @@ class Search {
         settings_(settings),
         levels_(targets.front()->discrete_levels()),
         jagged_(targets.front()->jagged()) {
-    total_ = settings.prior_draws + 1 + settings.descents * settings.coarse_iterations;
+    total_ = candidate_count() + settings.descents * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
       total_ += settings.finalists * kWalkRounds * short_climb() * (1 + cost(targets.size() - 1));
@@ -103,12 +103,18 @@ class Search {
     return result;
   }
 
-  /// The prior's mode, then draws from the prior, on the coarsest target. At least one, best first.
+  double candidate_count() const {
+    return 1.0 + settings_.prior_draws + static_cast<double>(settings_.guesses.size());
+  }
+
+  /// The prior's mode, draws from the prior, and the guesses, on the coarsest target. At least one, best
+  /// first.
   std::vector<OptimizerResult> candidates() {
     const Eigen::Index n = targets_.front()->dimension();
     std::vector<OptimizerResult> results(static_cast<std::size_t>(settings_.prior_draws) + 1);
     for (std::size_t i = 0; i < results.size(); ++i)
       results[i].position = {i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
+    for (const Position& guess : settings_.guesses) results.emplace_back().position = guess;
     for_all(results.size(), [&](std::size_t i) {
       results[i].evaluation = nothing(n);
       if (i > 0 && stopped()) return;

@@ -12,8 +12,9 @@ namespace patina {
 
 struct MapSearchSettings {
   int prior_draws = 64;  ///< candidates N(0, I), discrete levels uniform, on the coarsest target
-  int descents = 8;      ///< best candidates that are climbed from on the coarsest target
-  int finalists = 2;     ///< best of those that are climbed from on every finer target
+  std::vector<Position> guesses = {};  ///< candidates, too
+  int descents = 8;                    ///< best candidates that are climbed from on the coarsest target
+  int finalists = 2;                   ///< best of those that are climbed from on every finer target
   int coarse_iterations = 40;
   int fine_iterations = 40;
   int threads =

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fits the nine flash photographs of the test data with defaults and scores each best match beside the paper's.
 #   tests/bench/fit-photos.sh DATA BIN [patina-cli fit options, for example --map-only]
+#   tests/bench/fit-photos.sh DATA BIN --predict        scores the predictors' first guesses instead
 # DATA holds photos/ and tools/appearance_distance.py; BIN is the folder of patina-cli. Prints a Markdown table.
 # Only material and size are given, as a user would: nothing is tuned by hand for a photo.
 set -euo pipefail
@@ -25,9 +26,13 @@ echo "| photo | texture | the paper's | colour | the paper's | seconds |"
 echo "|---|---|---|---|---|---|"
 while read -r photo material size paper_texture paper_colour; do
   began=$SECONDS
-  "$cli" fit "$data/photos/$photo.jpg" --material "$material" --size-cm "$size" --out "$work/$photo" --quiet "$@" >&2
+  if [[ ${1:-} == --predict ]]; then
+    "$cli" predict "$data/photos/$photo.jpg" --material "$material" --size-cm "$size" --out "$work/$photo.json" >&2
+  else
+    "$cli" fit "$data/photos/$photo.jpg" --material "$material" --size-cm "$size" --out "$work/$photo" --quiet "$@" >&2
+    "$cli" export "$work/$photo" --draw map --format json --out "$work/$photo.json" >&2
+  fi
   took=$((SECONDS - began))
-  "$cli" export "$work/$photo" --draw map --format json --out "$work/$photo.json" >&2
   "$cli" render --material "$material" --params "$work/$photo.json" --resolution 512 --size-cm "$size" \
     --out "$work/$photo.png" >&2
   read -r texture colour < <(/usr/bin/python3 "$data/tools/appearance_distance.py" "$data/photos/$photo.jpg" \

@@ -47,6 +47,21 @@ TEST_F(Commands, RenderTakesParamsThenSetsAndBothCurves) {
   EXPECT_NE(render({"--size-cm", "10"}), render({}));
 }
 
+TEST_F(Commands, PredictWritesParametersThatRenderAndFitTake) {
+  const auto predicted =
+      json({"predict", photo(), "--material", "bump", "--out", path("guess.json"), "--json"});
+  const auto written = nlohmann::json::parse(slurp(path("guess.json")));
+  for (const auto& [name, value] : written.items())
+    EXPECT_NEAR(value, predicted["parameters"][name]["value"].get<double>(), 1e-9) << name;
+  EXPECT_GT(predicted["parameters"]["rough"]["sd"], 0);
+  output({"render", "--material", "bump", "--params", path("guess.json"), "--resolution", "32", "--out",
+          path("guess.png")});
+  std::vector<std::string> fit = small_fit(photo(), "run");
+  fit.insert(fit.end(), {"--start", path("guess.json")});
+  output(fit);
+  EXPECT_NE(output({"predict", photo(), "--material", "bump"}).find("rough"), std::string::npos);
+}
+
 TEST_F(Commands, AFitsJsonAgreesWithItsSummaryAndItsExports) {
   std::vector<std::string> arguments = small_fit(photo(), "run");
   arguments.push_back("--json");

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "engine/run/chain_start.h"
+#include "engine/run/predicted_start.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -40,6 +41,27 @@ TEST_F(StartTest, ChainsBeginWhereTheFileAndThePriorsMeansSay) {
     EXPECT_NEAR(draw.values.continuous[rough], asked.start_at["rough"], near);
   for (const Draw& draw : first_draws(short_settings("prior-mean"), "mean"))
     EXPECT_NEAR(draw.values.continuous[rough], prior.mean, near);
+}
+
+TEST_F(StartTest, PredictedStartsLieHigherThanThePriors) {
+  const auto mean_lp = [&](const std::string& start) {
+    double sum = 0;
+    constexpr std::uint64_t kRuns = 3;
+    for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+      RunSettings asked = short_settings(start);
+      asked.seed = seed;
+      for (const Draw& draw : first_draws(asked, start + std::to_string(seed)))
+        sum += draw.lp / static_cast<double>(kRuns * static_cast<std::uint64_t>(asked.chains));
+    }
+    return sum;
+  };
+  EXPECT_GT(mean_lp("predict"), mean_lp("prior") + 10);
+}
+
+TEST_F(StartTest, AMaterialWithoutAPredictorIsRefusedInASentence) {
+  RunSettings asked = settings();
+  asked.material = "felt";
+  EXPECT_NE(user_error([&] { prediction_for(asked, photo().image); }).find("--start"), std::string::npos);
 }
 
 TEST_F(StartTest, AStartThatCannotBeIsRefusedBeforeAnythingIsSearched) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -66,6 +67,25 @@ TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
     Rng rng(seed);
     EXPECT_EQ(search_map({&target}, rng, settings).best.position.discrete[1], 3) << "seed " << seed;
   }
+}
+
+/// Its needle is where no draw of the prior comes near enough to climb it.
+FunctionTarget needle() {
+  return {2, [](const Position& position) {
+            const Eigen::VectorXd& x = position.continuous;
+            const Eigen::VectorXd apart = x.array() - 4;
+            const double height = 40 * std::exp(-50 * apart.squaredNorm());
+            return Evaluation{height - 0.5 * x.squaredNorm(), -x - 100 * height * apart};
+          }};
+}
+
+TEST(SearchMap, looks_where_it_is_told_to_as_well) {
+  const FunctionTarget target = needle();
+  MapSearchSettings settings;
+  Rng without(1), with(1);
+  EXPECT_LT(search_map({&target}, without, settings).best.evaluation.log_density, 1);
+  settings.guesses = {{Eigen::VectorXd::Constant(2, 3.95), {}}};
+  EXPECT_GT(search_map({&target}, with, settings).best.evaluation.log_density, 20);
 }
 
 TEST(SearchMap, ends_on_the_finest_target) {
