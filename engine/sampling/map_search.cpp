@@ -107,14 +107,14 @@ class Search {
     return 1.0 + settings_.prior_draws + static_cast<double>(settings_.guesses.size());
   }
 
-  /// The prior's mode, draws from the prior, and the guesses, on the coarsest target. At least one, best
-  /// first.
+  /// The guesses, so that who watches sees them first; the prior's mode; draws from the prior; on the
+  /// coarsest target. At least one, best first.
   std::vector<OptimizerResult> candidates() {
     const Eigen::Index n = targets_.front()->dimension();
-    std::vector<OptimizerResult> results(static_cast<std::size_t>(settings_.prior_draws) + 1);
-    for (std::size_t i = 0; i < results.size(); ++i)
-      results[i].position = {i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
+    std::vector<OptimizerResult> results;
     for (const Position& guess : settings_.guesses) results.emplace_back().position = guess;
+    for (int i = 0; i <= settings_.prior_draws; ++i)
+      results.emplace_back().position = {i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
     for_all(results.size(), [&](std::size_t i) {
       results[i].evaluation = nothing(n);
       if (i > 0 && stopped()) return;

@@ -1,0 +1,109 @@
+#include "resources/predictors/simulated_photos.h"
+
+#include <ATen/Parallel.h>
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/empty.h>
+#include <ATen/ops/tensor.h>
+#include <torch/serialize.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "engine/image.h"
+#include "engine/material/capture_priors.h"
+#include "engine/material/material.h"
+#include "engine/material/photograph.h"
+#include "engine/material/registry.h"
+#include "engine/posterior/prior_transform.h"
+#include "engine/prediction/photo_features.h"
+#include "engine/sampling/parallel_for.h"
+#include "engine/sampling/rng.h"
+
+namespace patina {
+namespace {
+
+constexpr int kSurfaces = 16;  // irregularities: their maps take a while to make
+// Far from the seeds of networks, of tests and of users.
+constexpr std::uint64_t kFirstSurface = 0x7072'6564'0000;
+constexpr double kMostNoise = 0.01;  // sd, in display units
+
+double log_uniform(double low, double high, Rng& rng) {
+  return std::exp(std::log(low) + rng.uniform() * std::log(high / low));
+}
+
+/// Half of the photos are taken from where the usual field of view needs it.
+Capture draw_capture(Rng& rng) {
+  const Capture usual;
+  const double size = log_uniform(4, 60, rng), other = log_uniform(0.7, 2.2, rng);
+  return {size, size * (rng.below(2) == 0 ? usual.camera_cm / usual.size_cm : other)};
+}
+
+ParameterValues values_of(const ParameterTable& table, const Eigen::VectorXd& coordinates,
+                          std::vector<int> levels) {
+  ParameterValues values{{}, std::move(levels)};
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    values.continuous.push_back(
+        PriorTransform(table.continuous[i].prior).value(coordinates[static_cast<Eigen::Index>(i)]));
+  return values;
+}
+
+/// With noise, and rounded to 8 bits.
+Image recorded(const at::Tensor& planes, Rng& rng) {
+  const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
+  Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
+  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
+  const double noise = kMostNoise * rng.uniform();
+  for (float& pixel : image.pixels)
+    pixel = std::round(255 * std::clamp(pixel + static_cast<float>(noise * rng.normal()), 0.0f, 1.0f)) / 255;
+  return image;
+}
+
+}  // namespace
+
+SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads) {
+  const auto model = make_material(material);
+  const PhotoFeatures features;
+  std::vector<std::unique_ptr<Irregularities>> pool;
+  for (std::uint64_t i = 0; i < kSurfaces; ++i)
+    pool.push_back(std::make_unique<Irregularities>(kFirstSurface + kSurfaces * seed + i));
+  const auto p = std::ssize(model->table().continuous), choices = std::ssize(model->table().discrete);
+  SimulatedPhotos photos{at::empty({count, features.size()}, at::kFloat), at::empty({count, p}, at::kFloat),
+                         at::empty({count, choices}, at::kLong)};
+  const auto simulate = [&](std::size_t i) {
+    const at::NoGradGuard no_grad;
+    Rng rng(kFirstSurface + seed, i);
+    const Capture capture = draw_capture(rng);
+    const ParameterTable table = table_under(model->table(), capture);
+    const Eigen::VectorXf coordinates = rng.normals(p).cast<float>();
+    std::vector<int> levels;
+    for (const DiscreteParameter& choice : table.discrete)
+      levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
+    const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
+    const int side = PhotoFeatures::kSide * (rng.below(4) == 0 ? 2 : 1);
+    const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
+                                           *pool[i % kSurfaces], capture, side);
+    const Image photo = recorded(photograph(surface, capture, side, DisplayCurve::srgb), rng);
+    const Eigen::VectorXf seen = features(photo, capture);
+    std::ranges::copy(seen, photos.features.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * seen.size());
+    std::ranges::copy(coordinates, photos.coordinates.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * p);
+    std::ranges::copy(levels,
+                      photos.levels.data_ptr<std::int64_t>() + static_cast<std::ptrdiff_t>(i) * choices);
+  };
+  parallel_for(static_cast<std::size_t>(count), threads, simulate, [] { at::set_num_threads(1); });
+  return photos;
+}
+
+void save(const SimulatedPhotos& photos, const std::filesystem::path& file) {
+  torch::save(std::vector<at::Tensor>{photos.features, photos.coordinates, photos.levels}, file.string());
+}
+
+SimulatedPhotos load_simulated_photos(const std::filesystem::path& file) {
+  std::vector<at::Tensor> tensors;
+  torch::load(tensors, file.string());
+  return {tensors.at(0), tensors.at(1), tensors.at(2)};
+}
+
+}  // namespace patina

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace patina {
+
+/// Photos of draws from a material's prior: what a predictor sees, and what it is to tell.
+struct SimulatedPhotos {
+  at::Tensor features;     ///< [n, PhotoFeatures::size()] float32
+  at::Tensor coordinates;  ///< [n, p] float32, in which the prior is N(0, I)
+  at::Tensor levels;       ///< [n, choices] int64
+};
+
+/// Each photo has a sample's side of 4 to 60 cm and a camera of its own, irregularities from a pool of
+/// sixteen (of which a material's places show it ever another piece), noise, and 8 bits. Every other one is
+/// taken at twice the pixels and reduced, as a photo is.
+/// @param seed     of everything; the pool's too, so that no two seeds share irregularities
+/// @param threads  the photos do not depend on it
+SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads);
+
+void save(const SimulatedPhotos& photos, const std::filesystem::path& file);
+SimulatedPhotos load_simulated_photos(const std::filesystem::path& file);
+
+}  // namespace patina

@@ -1,0 +1,99 @@
+// Trains the network that guesses which material a photo shows (README.md):
+//   train-chooser DATA OUT [options]
+// DATA is a folder of simulated photos, NAME.pt of every material, as train-predictor --data keeps them.
+#include <ATen/CPUGeneratorImpl.h>
+#include <ATen/Parallel.h>
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/cat.h>
+#include <ATen/ops/cross_entropy_loss.h>
+#include <ATen/ops/full.h>
+#include <ATen/ops/randperm.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/material/registry.h"
+#include "resources/predictors/chooser_file.h"
+#include "resources/predictors/simulated_photos.h"
+#include "resources/predictors/training.h"
+
+namespace patina {
+namespace {
+
+struct Options {
+  std::filesystem::path data, out;
+  std::int64_t hidden = 64, held_back = 3000;
+  int threads = 2;
+  TrainingSettings training{.epochs = 20};
+};
+
+Options parse(int argc, char** argv, CLI::App& app) {
+  Options options;
+  app.add_option("DATA", options.data, "Folder of simulated photos, NAME.pt")->required();
+  app.add_option("OUT", options.out, "Where to write the network (.safetensors)")->required();
+  app.add_option("--epochs", options.training.epochs)->capture_default_str();
+  app.add_option("--hidden", options.hidden, "Units of a hidden layer")->capture_default_str();
+  app.add_option("--decay", options.training.decay, "Of weights")->capture_default_str();
+  app.add_option("--noise", options.training.noise, "Added to features, in their sds")->capture_default_str();
+  app.add_option("--seed", options.training.seed, "Of first weights and batches")->capture_default_str();
+  app.add_option("--threads", options.threads)->capture_default_str();
+  app.parse(argc, argv);
+  return options;
+}
+
+/// Photos of all materials in random order, and which material each is of.
+struct Examples {
+  at::Tensor features, materials;
+};
+
+Examples examples(const Options& options) {
+  std::vector<at::Tensor> features, materials;
+  for (const std::string& name : material_names()) {
+    features.push_back(load_simulated_photos(options.data / (name + ".pt")).features);
+    materials.push_back(at::full({features.back().size(0)}, std::ssize(materials), at::kLong));
+  }
+  const at::Tensor all = at::cat(features);
+  at::Generator generator = at::detail::createCPUGenerator(options.training.seed);
+  const at::Tensor order = at::randperm(all.size(0), generator, at::kLong);
+  return {all.index_select(0, order), at::cat(materials).index_select(0, order)};
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Trains the network that guesses which material a photo shows");
+  Options options;
+  try {
+    options = parse(argc, argv, app);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  at::set_num_threads(options.threads);
+  const Examples all = examples(options);
+  DenseStudent student(all.features, options.hidden, std::ssize(material_names()), options.training.seed);
+  const auto loss = [&](const at::Tensor& outputs, const at::Tensor& indices) {
+    return at::cross_entropy_loss(outputs, all.materials.index_select(0, indices));
+  };
+  train(student, all.features, options.held_back, loss, options.training, [&](const TrainingReport& made) {
+    if (made.best) write_safetensors(options.out, chooser_file(student));
+    std::printf("epoch %2d: loss %.4f, on photos held back %.4f%s\n", made.epoch, made.loss, made.held_back,
+                made.best ? " (kept)" : "");
+    std::fflush(stdout);
+  });
+  return 0;
+}
+
+}  // namespace
+}  // namespace patina
+
+int main(int argc, char** argv) {
+  try {
+    return patina::run(argc, argv);
+  } catch (const patina::UserError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
