@@ -19,10 +19,11 @@ std::string likelihood_text(const RankedMaterial& material) {
 }
 
 std::string fit_text(const RankedMaterial& material) {
-  const char* how = material.misfit <= kGoodMatch   ? "fits"
-                    : material.misfit <= kPoorMatch ? "fits roughly"
-                                                    : "does not fit";
-  return std::string(how) + " (" + number_text(material.misfit, 2) + ")";
+  if (!material.misfit) return "";
+  const char* how = *material.misfit <= kGoodMatch   ? "fits"
+                    : *material.misfit <= kPoorMatch ? "fits roughly"
+                                                     : "does not fit";
+  return std::string(how) + " (" + number_text(*material.misfit, 2) + ")";
 }
 
 std::string uncertainty_text(const MaterialRanking& ranking) {

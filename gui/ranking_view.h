@@ -13,6 +13,7 @@ namespace patina {
 std::string likelihood_text(const RankedMaterial& material);
 
 /// How well its best match fits the photo, with the figure beside: "fits (0.9)".
+/// Empty where no match was searched for.
 std::string fit_text(const RankedMaterial& material);
 
 /// How far the figures can be trusted, and what to do about it.

@@ -57,6 +57,9 @@ void add_compare(CLI::App& app, Command& chosen) {
       ->type_name("FILE");
   command.add_option("--resolution", rank.resolution, "Pixels a side at which renders are compared")
       ->capture_default_str();
+  command.add_flag(
+      "--glance", rank.glance,
+      "Only what a trained network says, in a second; evidence, summary and searches are left out");
   command
       .add_option("--finalists", rank.finalists,
                   "So many of the best, if they are close, are measured again, with an error (0: none)")

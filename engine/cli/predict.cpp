@@ -24,8 +24,7 @@ constexpr double kSaysNothing = 0.9;  // of the prior's sd, as for a posterior
 
 struct Options {
   std::filesystem::path photo, out;
-  std::string crop;
-  RunSettings run;
+  std::string material, crop;
   CaptureArguments capture;
   bool json = false;
 };
@@ -80,12 +79,11 @@ std::string as_text(const Prediction& prediction) {
 
 int predict(const Options& options) {
   use_tensor_threads(hardware_threads());
-  check_material_argument(options.run.material);
-  RunSettings settings = options.run;
-  settings.capture = options.capture.capture();
+  check_material_argument(options.material);
   PhotoOptions photo;
   if (!options.crop.empty()) photo.crop = parse_crop(options.crop);
-  const Prediction prediction = prediction_for(settings, load_photo(options.photo, photo).image);
+  const Prediction prediction =
+      prediction_for(options.material, load_photo(options.photo, photo).image, options.capture.capture());
   if (!options.out.empty())
     write_file_atomically(options.out, params_to_json(prediction.table, prediction.likeliest()));
   if (options.json)
@@ -99,11 +97,10 @@ int predict(const Options& options) {
 
 void add_predict(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<Options>();
-  options->run.material.clear();
   CLI::App& command =
       *app.add_subcommand("predict", "A first guess at a photo's parameters, by a trained network, at once");
   command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();
-  command.add_option("--material", options->run.material, "The material's name")->type_name("NAME");
+  command.add_option("--material", options->material, "The material's name")->type_name("NAME");
   command
       .add_option("--crop", options->crop,
                   "Square of the photo to use, in its pixels from the top left (default: the central square)")

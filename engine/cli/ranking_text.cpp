@@ -7,13 +7,14 @@ namespace patina {
 namespace {
 
 std::string line_of(const RankedMaterial& m) {
-  char evidence[32], text[128];
+  char evidence[32], misfit[16] = "", text[128];
+  if (m.misfit) std::snprintf(misfit, sizeof misfit, "%.1f", *m.misfit);
   if (m.error)
     std::snprintf(evidence, sizeof evidence, "%9.1f +- %.1f", m.log_evidence, *m.error);
   else
     std::snprintf(evidence, sizeof evidence, "%9.1f  about", m.log_evidence);
-  std::snprintf(text, sizeof text, "%-12s %-18s %11.2g %11d %7.1f %9.1f\n", m.material.c_str(), evidence,
-                m.probability, m.parameters, m.misfit, m.seconds);
+  std::snprintf(text, sizeof text, "%-12s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence,
+                m.probability, m.parameters, misfit, m.seconds);
   return text;
 }
 

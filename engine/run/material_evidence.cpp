@@ -7,6 +7,7 @@
 
 #include "engine/material/registry.h"
 #include "engine/run/controlled_density.h"
+#include "engine/run/predicted_start.h"
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
@@ -76,6 +77,7 @@ void MaterialEvidence::search(int threads, RunControl& control, const std::funct
   search.prior_draws = 64;
   search.descents = 8;
   search.finalists = 3;
+  search.guesses = predicted_guesses(coarse_, photo_, settings_.capture, settings_.seed);
   search.threads = threads;
   search.enter_thread = [] { use_tensor_threads(1); };
   search.progress = [&](double fraction, const Position&, double) { progress(fraction); };

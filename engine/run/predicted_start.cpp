@@ -19,21 +19,20 @@ bool has_predictor(const std::string& material) {
 
 }  // namespace
 
-Prediction prediction_for(const RunSettings& settings, const Image& photo) {
-  if (!has_predictor(settings.material))
-    throw UserError("The material '" + settings.material +
+Prediction prediction_for(const std::string& material, const Image& photo, const Capture& capture) {
+  if (!has_predictor(material))
+    throw UserError("The material '" + material +
                     "' has no predictor: choose another --start, or train one (resources/predictors).");
-  return Predictor::load(bundled_predictor(settings.material), material_table(settings.material))
-      .predict(photo, settings.capture);
+  return Predictor::load(bundled_predictor(material), material_table(material)).predict(photo, capture);
 }
 
-std::vector<Position> predicted_guesses(const RunSettings& settings, const Image& photo,
-                                        const Posterior& posterior) {
-  const bool asked = settings.start == "predict";
-  if (!asked && (settings.start != "map" || !has_predictor(settings.material))) return {};
-  const Prediction prediction = prediction_for(settings, photo);
+std::vector<Position> predicted_guesses(const Posterior& posterior, const Image& photo,
+                                        const Capture& capture, std::uint64_t seed) {
+  const std::string& material = posterior.table().material;
+  if (!has_predictor(material)) return {};
+  const Prediction prediction = prediction_for(material, photo, capture);
   std::vector<Position> guesses{posterior.position(prediction.likeliest())};
-  Rng rng(settings.seed, kStream);
+  Rng rng(seed, kStream);
   for (int i = 0; i < kDraws; ++i) guesses.push_back(posterior.position(prediction.draw(rng)));
   return guesses;
 }

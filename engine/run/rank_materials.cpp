@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/material/registry.h"
 #include "engine/run/material_evidence.h"
+#include "engine/run/material_glance.h"
 #include "engine/run/ranking_words.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_control.h"
@@ -123,6 +124,7 @@ RankSettings first_cut(const RunSettings& settings, const Capture& capture) {
   RankSettings rank;
   rank.capture = capture;
   rank.network = settings.network;
+  rank.glance = can_glance(material_names());
   rank.finalists = 0;
   rank.seed = settings.seed;
   rank.z_seed = settings.z_seed;
@@ -134,6 +136,13 @@ std::optional<MaterialRanking> rank_materials(
     const std::function<void(double fraction, const std::string& doing)>& progress, std::stop_token stop) {
   check(settings);
   const RankSettings complete = completed(settings);
+  if (complete.glance) {
+    if (!can_glance(complete.materials))
+      throw UserError(
+          "One of the materials was not learned by the network that tells them apart: compare "
+          "without a glance, or train it again (resources/predictors).");
+    return glance(photo, complete);
+  }
   RunControl control;
   const std::stop_callback pass_on(std::move(stop), [&] { control.stop(); });
   Report report(progress);

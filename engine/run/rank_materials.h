@@ -24,6 +24,7 @@ struct RankSettings {
       128;  ///< pixels a side at which renders are compared with the photo: at 64 no grain is left
   std::string summary = "gram";   ///< the same for all, since evidences compare only on the same data
   std::filesystem::path network;  ///< empty: the bundled one
+  bool glance = false;            ///< only what a trained network says, in a second (material_glance.h)
   int finalists = 3;              ///< so many of the best are measured again, with an error; 0: none
   int particles = 32;             ///< of each of the four islands that measure with
   int threads = 0;                ///< 0: as many as the machine has
@@ -42,7 +43,8 @@ struct RankedMaterial {
   ParameterValues match;        ///< the best that was found
   /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
   /// one that does, above kPoorMatch of one that does not.
-  double misfit = 0;
+  /// None of a glance.
+  std::optional<double> misfit;
   /// How far another sample of the same surface would be off, other irregularities at the same parameters:
   /// what no search can remove. Of the first material alone.
   std::optional<double> misfit_of_another_sample;
@@ -59,8 +61,8 @@ struct MaterialRanking {
 constexpr int kLeastRankResolution = 32;
 constexpr double kPoorMatch = 2;
 
-/// What a run that is to choose its own material asks for: the first cut alone, since weighing the finalists
-/// takes longer than the artist who asked is ready to wait.
+/// What a run that is to choose its own material asks for: a glance, which was right more often than searches
+/// that take minutes (resources/compare), or, with materials that it does not know, the first cut alone.
 RankSettings first_cut(const RunSettings& settings, const Capture& capture);
 
 /// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few

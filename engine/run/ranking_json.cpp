@@ -18,7 +18,7 @@ Json ranking_json(const MaterialRanking& ranking) {
                          {"log_evidence", m.log_evidence},
                          {"error", m.error ? Json(*m.error) : Json(nullptr)},
                          {"probability", m.probability},
-                         {"misfit", m.misfit},
+                         {"misfit", m.misfit ? Json(*m.misfit) : Json(nullptr)},
                          {"misfit_of_another_sample",
                           m.misfit_of_another_sample ? Json(*m.misfit_of_another_sample) : Json(nullptr)},
                          {"seconds", m.seconds},

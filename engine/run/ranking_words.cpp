@@ -26,7 +26,7 @@ std::string none_fits(const RankedMaterial& best) {
   std::snprintf(text, sizeof text,
                 "None of them fits: the best match, of %s, is off by %.1f times what is usual for a material "
                 "that fits",
-                best.material.c_str(), best.misfit);
+                best.material.c_str(), *best.misfit);
   std::string sentence = text;
   if (best.misfit_of_another_sample) {
     std::snprintf(text, sizeof text, "; another sample of that match would be off by %.1f",
@@ -62,7 +62,7 @@ std::string in_words(const MaterialRanking& ranking) {
   const auto& all = ranking.materials;
   if (all.empty()) return "There was nothing to compare.";
   const RankedMaterial& first = all.front();
-  if (first.misfit > kPoorMatch) return none_fits(first);
+  if (first.misfit.value_or(0) > kPoorMatch) return none_fits(first);
   if (all.size() == 1) return first.material + ", the only one compared.";
   const RankedMaterial& next = all[1];
   if (within_error(first, next))

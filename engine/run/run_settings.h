@@ -41,7 +41,8 @@ struct RunSettings {
   int temper = 0;
   int rungs() const { return temper == 0 ? 1 : temper; }
   /// Where chains begin (chain_start.h): "map", spread about the best match; "predict", where the material's
-  /// predictor guesses, without a global search; "prior", a draw of the prior for each; "prior-mean", all at the priors' means; "values", all at start_at.
+  /// predictor guesses, without a global search; "prior", a draw of the prior for each; "prior-mean", all at
+  /// the priors' means; "values", all at start_at.
   std::string start = "map";
   std::map<std::string, double> start_at;  ///< parameter values by name; the others at the priors' means
   std::uint64_t seed = 1;                  ///< of the search and the chains

@@ -69,7 +69,7 @@ std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSett
                                        const Image& photo) {
   if (settings.start == "map") return {};
   if (settings.start == "predict")
-    return [&, prediction = prediction_for(settings, photo)](Rng& rng) {
+    return [&, prediction = prediction_for(settings.material, photo, settings.capture)](Rng& rng) {
       return posterior.position(prediction.draw(rng));
     };
   if (settings.start == "prior") return [&](Rng& rng) { return prior_draw(posterior, rng); };
@@ -90,6 +90,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   check_free_parameters(*posteriors_.front());
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
+  if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
   manifest_ = first_manifest(settings_, photo, table_);
   run_key_ = run_key(manifest_);
 
@@ -213,6 +214,12 @@ ModeFound SamplerRun::find_or_recall() {
   return *found_;
 }
 
+std::vector<Position> SamplerRun::guesses() const {
+  const bool knows_better = settings_.start != "map" && settings_.start != "predict";
+  if (knows_better) return {};
+  return predicted_guesses(*posteriors_.front(), photo_, settings_.capture, settings_.seed);
+}
+
 ModeFound SamplerRun::search() {
   const Stopwatch stopwatch(manifest_.seconds.search);
   enter(RunPhase::searching, "looking for a good match");
@@ -221,8 +228,7 @@ ModeFound SamplerRun::search() {
     shared_.control.checkpoint();
     posteriors_.push_back(std::make_unique<Posterior>(posterior_settings(settings_, levels[i]), photo_));
   }
-  ModeFound found =
-      find_mode(posteriors_, settings_, predicted_guesses(settings_, photo_, *posteriors_.front()), shared_);
+  ModeFound found = find_mode(posteriors_, settings_, guesses(), shared_);
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   return found;
 }

@@ -50,6 +50,7 @@ class SamplerRun final : public DrawSource {
   void run_to_the_end();
   void enter(RunPhase phase, const std::string& message);
   ModeFound find_or_recall();
+  std::vector<Position> guesses() const;  ///< where the search looks first
   ModeFound search();
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);

@@ -21,6 +21,8 @@ constexpr double kSameBasin = 0.3;  // prior standard deviations
 constexpr int kWalkRounds = 5, kStepsPerRound = 6;
 constexpr double kWidestWalk = 0.5, kWalkNarrowing = 0.6, kNearlyAsGood = 5;
 
+constexpr int kGuessesClimbed = 3;
+
 constexpr double kCostRatio = 4;  // of an evaluation on the next finer target: twice the pixels a side
 
 bool same_basin(const Position& a, const Position& b) {
@@ -54,7 +56,7 @@ class Search {
         settings_(settings),
         levels_(targets.front()->discrete_levels()),
         jagged_(targets.front()->jagged()) {
-    total_ = candidate_count() + settings.descents * settings.coarse_iterations;
+    total_ = candidate_count() + climb_count() * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
       total_ += settings.finalists * kWalkRounds * short_climb() * (1 + cost(targets.size() - 1));
@@ -63,14 +65,12 @@ class Search {
   }
 
   MapSearchResult run() {
-    std::vector<OptimizerResult> results = candidates();
-    results.resize(std::min<std::size_t>(results.size(), std::max(settings_.descents, 1)));
-    climb_all(results, 0, settings_.coarse_iterations);
-    // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
-    std::vector<OptimizerResult> finalists = distinct(results, finalist_count());
-    for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
-    if (has_jagged()) walk_all(finalists, 0);
-    results.insert(results.end(), finalists.begin(), finalists.end());
+    // What guesses lead to keeps a place among the finalists: at few pixels another basin may look as good.
+    std::vector<OptimizerResult> results = coarse_stage(best_of(settings_.guesses, kGuessesClimbed), 1);
+    const int left = std::max(finalist_count() - static_cast<int>(results.size()), 1);
+    for (OptimizerResult& found :
+         coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), left))
+      results.push_back(std::move(found));
     sort_best_first(results);
     results = distinct(results, finalist_count());
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
@@ -103,25 +103,48 @@ class Search {
     return result;
   }
 
+  double climb_count() const {
+    return settings_.descents +
+           std::min<double>(kGuessesClimbed, static_cast<double>(settings_.guesses.size()));
+  }
   double candidate_count() const {
     return 1.0 + settings_.prior_draws + static_cast<double>(settings_.guesses.size());
   }
 
-  /// The guesses, so that who watches sees them first; the prior's mode; draws from the prior; on the
-  /// coarsest target. At least one, best first.
-  std::vector<OptimizerResult> candidates() {
+  /// Climbs, sweeps and walks on the coarsest target. @return the best `count` basins that were found
+  std::vector<OptimizerResult> coarse_stage(std::vector<OptimizerResult> results, int count) {
+    if (results.empty()) return results;
+    climb_all(results, 0, settings_.coarse_iterations);
+    // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
+    std::vector<OptimizerResult> finalists = distinct(results, count);
+    for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
+    if (has_jagged()) walk_all(finalists, 0);
+    results.insert(results.end(), finalists.begin(), finalists.end());
+    sort_best_first(results);
+    return distinct(results, count);
+  }
+
+  /// The prior's mode, then draws from the prior.
+  std::vector<Position> prior_candidates() {
     const Eigen::Index n = targets_.front()->dimension();
-    std::vector<OptimizerResult> results;
-    for (const Position& guess : settings_.guesses) results.emplace_back().position = guess;
+    std::vector<Position> positions;
     for (int i = 0; i <= settings_.prior_draws; ++i)
-      results.emplace_back().position = {i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()};
+      positions.push_back({i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()});
+    return positions;
+  }
+
+  /// So many of the places, best first, on the coarsest target; at least one of at least one.
+  std::vector<OptimizerResult> best_of(const std::vector<Position>& places, int count) {
+    std::vector<OptimizerResult> results(places.size());
     for_all(results.size(), [&](std::size_t i) {
-      results[i].evaluation = nothing(n);
+      results[i].position = places[i];
+      results[i].evaluation = nothing(places[i].continuous.size());
       if (i > 0 && stopped()) return;
-      results[i] = evaluate(*targets_.front(), results[i].position);
+      results[i] = evaluate(*targets_.front(), places[i]);
       report(results[i], 1);
     });
     sort_best_first(results);
+    results.resize(std::min(results.size(), static_cast<std::size_t>(count)));
     return results;
   }
 
@@ -132,7 +155,8 @@ class Search {
   }
 
   void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {
-    best_known_ = false;  // log densities of two targets do not compare
+    best_known_ = best_known_ && target == best_target_;  // log densities of two targets do not compare
+    best_target_ = target;
     for_all(results.size(), [&](std::size_t i) {
       if (stopped()) return;
       results[i] = climb(*targets_[target], results[i].position, iterations);
@@ -239,6 +263,7 @@ class Search {
   std::mutex mutex_;  ///< guards what report() keeps
   OptimizerResult best_;
   bool best_known_ = false;
+  std::size_t best_target_ = 0;
   double done_ = 0, total_ = 0;
 };
 

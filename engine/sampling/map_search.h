@@ -12,7 +12,7 @@ namespace patina {
 
 struct MapSearchSettings {
   int prior_draws = 64;  ///< candidates N(0, I), discrete levels uniform, on the coarsest target
-  std::vector<Position> guesses = {};  ///< candidates, too
+  std::vector<Position> guesses = {};  ///< the best three are climbed from as well, and have a finalist of theirs
   int descents = 8;                    ///< best candidates that are climbed from on the coarsest target
   int finalists = 2;                   ///< best of those that are climbed from on every finer target
   int coarse_iterations = 40;

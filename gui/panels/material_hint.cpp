@@ -71,8 +71,9 @@ void MaterialHint::draw_material(const PanelContext& context, const RankedMateri
   ImGui::Dummy({width, line});
   ImGui::SameLine();
   ImGui::TextUnformatted(likelihood_text(material).c_str());
+  if (!material.misfit) return;
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, material.misfit > kPoorMatch ? theme::kWarning : theme::kText);
+  ImGui::PushStyleColor(ImGuiCol_Text, *material.misfit > kPoorMatch ? theme::kWarning : theme::kText);
   ImGui::TextUnformatted(fit_text(material).c_str());
   ImGui::PopStyleColor();
 }
@@ -87,10 +88,11 @@ void MaterialHint::draw_result(const PanelContext& context, const MaterialRankin
   ImGui::PopTextWrapPos();
   muted_text(uncertainty_text(ranking));
   ImGui::Spacing();
-  if (ImGui::BeginTable("materials", 3)) {
+  const bool searched = ranking.materials.front().misfit.has_value();
+  if (ImGui::BeginTable("materials", searched ? 3 : 2)) {
     ImGui::TableSetupColumn("Material", ImGuiTableColumnFlags_WidthFixed, 8 * em);
     ImGui::TableSetupColumn("Likely", ImGuiTableColumnFlags_WidthFixed, 15 * em);
-    ImGui::TableSetupColumn("Its best match", ImGuiTableColumnFlags_WidthStretch);
+    if (searched) ImGui::TableSetupColumn("Its best match", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
     for (const RankedMaterial& material : ranking.materials) draw_material(context, material);
     ImGui::EndTable();

@@ -1,12 +1,14 @@
 #include "resources/predictors/simulated_photos.h"
 
 #include <ATen/Parallel.h>
+#include <ATen/TensorOperators.h>
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/tensor.h>
 #include <torch/serialize.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -21,6 +23,7 @@
 #include "engine/prediction/photo_features.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/rng.h"
+#include "resources/networks/image_variants.h"
 
 namespace patina {
 namespace {
@@ -50,6 +53,14 @@ ParameterValues values_of(const ParameterTable& table, const Eigen::VectorXd& co
   return values;
 }
 
+at::Tensor changed(at::Tensor render, Rng& rng) {
+  std::array<std::int64_t, 3> colours{0, 1, 2};
+  std::shuffle(colours.begin(), colours.end(), rng);
+  render = render.index_select(0, at::tensor(colours, at::kLong));
+  for (int i = 0; i < 2; ++i) render = vary(render, render.flip({1, 2}), rng);
+  return render;
+}
+
 /// With noise, and rounded to 8 bits.
 Image recorded(const at::Tensor& planes, Rng& rng) {
   const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
@@ -63,7 +74,8 @@ Image recorded(const at::Tensor& planes, Rng& rng) {
 
 }  // namespace
 
-SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads) {
+SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
+                                bool varied) {
   const auto model = make_material(material);
   const PhotoFeatures features;
   std::vector<std::unique_ptr<Irregularities>> pool;
@@ -82,10 +94,12 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     for (const DiscreteParameter& choice : table.discrete)
       levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
     const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
-    const int side = PhotoFeatures::kSide * (rng.below(4) == 0 ? 2 : 1);
+    const int side = PhotoFeatures::kSide * (!varied && rng.below(4) == 0 ? 2 : 1);
     const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
                                            *pool[i % kSurfaces], capture, side);
-    const Image photo = recorded(photograph(surface, capture, side, DisplayCurve::srgb), rng);
+    at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
+    if (varied) render = changed(render, rng);
+    const Image photo = recorded(render, rng);
     const Eigen::VectorXf seen = features(photo, capture);
     std::ranges::copy(seen, photos.features.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * seen.size());
     std::ranges::copy(coordinates, photos.coordinates.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * p);

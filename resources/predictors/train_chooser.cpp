@@ -1,6 +1,6 @@
 // Trains the network that guesses which material a photo shows (README.md):
-//   train-chooser DATA OUT [options]
-// DATA is a folder of simulated photos, NAME.pt of every material, as train-predictor --data keeps them.
+//   train-chooser OUT [options]
+// The best network so far, by photos that it does not learn from, is in OUT at any time.
 #include <ATen/CPUGeneratorImpl.h>
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
@@ -26,24 +26,35 @@ namespace patina {
 namespace {
 
 struct Options {
-  std::filesystem::path data, out;
+  std::filesystem::path out, data;
   std::int64_t hidden = 64, held_back = 3000;
-  int threads = 2;
+  int photos = 5000, threads = 2;
   TrainingSettings training{.epochs = 20};
 };
 
 Options parse(int argc, char** argv, CLI::App& app) {
   Options options;
-  app.add_option("DATA", options.data, "Folder of simulated photos, NAME.pt")->required();
   app.add_option("OUT", options.out, "Where to write the network (.safetensors)")->required();
+  app.add_option("--data", options.data, "A folder to keep the simulated photos in, or to take them from");
+  app.add_option("--photos", options.photos, "Simulated photos of each material")->capture_default_str();
   app.add_option("--epochs", options.training.epochs)->capture_default_str();
   app.add_option("--hidden", options.hidden, "Units of a hidden layer")->capture_default_str();
   app.add_option("--decay", options.training.decay, "Of weights")->capture_default_str();
   app.add_option("--noise", options.training.noise, "Added to features, in their sds")->capture_default_str();
-  app.add_option("--seed", options.training.seed, "Of first weights and batches")->capture_default_str();
+  app.add_option("--seed", options.training.seed, "Of photos, first weights and batches")
+      ->capture_default_str();
   app.add_option("--threads", options.threads)->capture_default_str();
   app.parse(argc, argv);
   return options;
+}
+
+SimulatedPhotos photos_of(const Options& options, const std::string& material) {
+  const std::filesystem::path kept = options.data / ("varied-" + material + ".pt");
+  if (!options.data.empty() && std::filesystem::exists(kept)) return load_simulated_photos(kept);
+  SimulatedPhotos photos =
+      simulate_photos(material, options.photos, options.training.seed, options.threads, /*varied=*/true);
+  if (!options.data.empty()) save(photos, kept);
+  return photos;
 }
 
 /// Photos of all materials in random order, and which material each is of.
@@ -54,7 +65,7 @@ struct Examples {
 Examples examples(const Options& options) {
   std::vector<at::Tensor> features, materials;
   for (const std::string& name : material_names()) {
-    features.push_back(load_simulated_photos(options.data / (name + ".pt")).features);
+    features.push_back(photos_of(options, name).features);
     materials.push_back(at::full({features.back().size(0)}, std::ssize(materials), at::kLong));
   }
   const at::Tensor all = at::cat(features);

@@ -1,7 +1,7 @@
 // The paper's Figure 11: how much of burn-in a neural prediction spares. Photos of prior draws are fitted
 // twice, chains beginning at draws from the prior and at the predictor's guesses; how far below the typical
 // log density each chain is at every iteration is drawn, and the iterations until it is there are counted.
-//   figure-11 OUT_FOLDER [MATERIAL=bump] [PHOTOS=6]
+//   figure-11 OUT_FOLDER [MATERIAL=bump] [PHOTOS=4]
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -24,7 +24,7 @@
 namespace patina {
 namespace {
 
-constexpr int kWarmup = 400, kDraws = 100, kChains = 4;
+constexpr int kWarmup = 250, kDraws = 50, kChains = 4;
 constexpr std::array<const char*, 2> kStarts{"prior", "predict"};
 
 using Trace = std::vector<double>;  // lp, warm-up included
@@ -50,7 +50,7 @@ std::vector<Trace> fit(RunSettings settings, const Image& image) {
 Photographed fit_both(const std::string& material, int photo) {
   RunSettings settings;
   settings.material = material;
-  settings.resolution = 128;
+  settings.resolution = 96;
   settings.chains = kChains;
   settings.warmup = kWarmup;
   settings.draws = kDraws;
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const int photos = argc > 3 ? std::max(1, std::atoi(argv[3])) : 6;
+    const int photos = argc > 3 ? std::max(1, std::atoi(argv[3])) : 4;
     return patina::run(argv[1], argc > 2 ? argv[2] : "bump", photos);
   } catch (const patina::UserError& error) {
     std::fprintf(stderr, "%s\n", error.what());

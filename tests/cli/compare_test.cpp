@@ -30,6 +30,13 @@ TEST_F(Compare, RanksInBothFormsAlike) {
   EXPECT_NE(text.find(json["sentence"].get<std::string>()), std::string::npos);
 }
 
+TEST_F(Compare, GlancesWithoutASearch) {
+  const auto glance = json({"compare", photo(), "--glance", "--json", "--quiet"});
+  EXPECT_EQ(glance["summary"], "glance");
+  EXPECT_GT(glance["materials"].size(), 2u);
+  EXPECT_TRUE(glance["materials"][0]["misfit"].is_null());
+}
+
 TEST_F(Compare, RefusesWithTheReasonAndStatusTwo) {
   std::vector<std::string> arguments = quick();
   arguments[3] = "bump,cheese";

@@ -27,6 +27,7 @@ TEST(RankingView, SaysHowTheBestMatchFits) {
   EXPECT_EQ(fit_text(ranked("a", 0, 0.1, 1, 0.9)), "fits (0.9)");
   EXPECT_EQ(fit_text(ranked("a", 0, 0.1, 1, 1.7)), "fits roughly (1.7)");
   EXPECT_EQ(fit_text(ranked("a", 0, 0.1, 1, 6.25)), "does not fit (6.2)");
+  EXPECT_EQ(fit_text(RankedMaterial{}), "");
 }
 
 TEST(RankingView, AdvisesToTryBothWhereTheComparisonCannotTellThemApart) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/material/registry.h"
 #include "engine/run/rank_materials.h"
 #include "engine/run/ranking_words.h"
 #include "tests/run/run_fixture.h"
@@ -102,6 +103,29 @@ TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
   const ParameterTable table = Renderer("bump", 1, Capture{}).table();
   const std::vector<double>& match = ranking->materials[0].match.continuous;
   EXPECT_GT(match[*table.find_continuous("albedo_r")], 2 * match[*table.find_continuous("albedo_g")]);
+}
+
+TEST_F(RankMaterials, glances_at_all_of_them_in_no_time_and_leaves_out_what_takes_a_search) {
+  RankSettings settings;
+  settings.glance = true;
+  const auto all = rank_materials(red_bump(), settings);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->materials.size(), material_names().size());
+  EXPECT_EQ(all->materials.front().material, "bump");
+  double total = 0;
+  for (const RankedMaterial& m : all->materials) {
+    EXPECT_FALSE(m.misfit || m.error);
+    EXPECT_EQ(m.match.continuous.size(), material_table(m.material).continuous.size());
+    total += m.probability;
+  }
+  EXPECT_NEAR(total, 1, 1e-9);
+  EXPECT_NE(all->sentence.find("bump"), std::string::npos);
+  settings.materials = {"wood", "metal"};
+  EXPECT_EQ(rank_materials(red_bump(), settings)->materials.size(), 2u);
+}
+
+TEST(Ranking, a_run_that_chooses_for_itself_glances) {
+  EXPECT_TRUE(first_cut(RunSettings{}, Capture{}).glance);
 }
 
 // The paper's Figure 8: what is not the photo's material is recognised as such.

@@ -59,9 +59,8 @@ TEST_F(StartTest, PredictedStartsLieHigherThanThePriors) {
 }
 
 TEST_F(StartTest, AMaterialWithoutAPredictorIsRefusedInASentence) {
-  RunSettings asked = settings();
-  asked.material = "felt";
-  EXPECT_NE(user_error([&] { prediction_for(asked, photo().image); }).find("--start"), std::string::npos);
+  EXPECT_NE(user_error([&] { prediction_for("felt", photo().image, Capture{}); }).find("--start"),
+            std::string::npos);
 }
 
 TEST_F(StartTest, AStartThatCannotBeIsRefusedBeforeAnythingIsSearched) {
