@@ -67,12 +67,12 @@ class Search {
   MapSearchResult run() {
     // What guesses lead to keeps a place among the finalists: at few pixels another basin may look as good.
     std::vector<OptimizerResult> results = coarse_stage(best_of(settings_.guesses, kGuessesClimbed), 1);
-    const int left = std::max(finalist_count() - static_cast<int>(results.size()), 1);
+    const int places = finalist_count() + static_cast<int>(results.size());
     for (OptimizerResult& found :
-         coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), left))
+         coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), finalist_count()))
       results.push_back(std::move(found));
     sort_best_first(results);
-    results = distinct(results, finalist_count());
+    results = distinct(results, places);
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
     // A grain that the coarsest target blurs tells only here how large it is.
     if (has_jagged() && targets_.size() > 1) walk_all(results, targets_.size() - 1);
