@@ -65,12 +65,13 @@ class Search {
   }
 
   MapSearchResult run() {
-    // What guesses lead to keeps a place among the finalists: at few pixels another basin may look as good.
-    std::vector<OptimizerResult> results = coarse_stage(best_of(settings_.guesses, kGuessesClimbed), 1);
-    const int places = finalist_count() + static_cast<int>(results.size());
-    for (OptimizerResult& found :
-         coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), finalist_count()))
-      results.push_back(std::move(found));
+    // Guesses are looked at first, so that who watches sees them early. What they lead to has a place among
+    // the finalists: at few pixels another basin may look as good.
+    std::vector<OptimizerResult> guesses = best_of(settings_.guesses, kGuessesClimbed);
+    std::vector<OptimizerResult> results =
+        coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), finalist_count());
+    for (OptimizerResult& found : coarse_stage(std::move(guesses), 1)) results.push_back(std::move(found));
+    const int places = finalist_count() + (settings_.guesses.empty() ? 0 : 1);
     sort_best_first(results);
     results = distinct(results, places);
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
