@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <system_error>
 
-#include "engine/material/registry.h"
+#include "engine/error.h"
 #include "engine/prediction/material_chooser.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/stopwatch.h"
@@ -29,11 +28,13 @@ std::string sentence_of(const std::vector<RankedMaterial>& ranked) {
 }  // namespace
 
 bool can_glance(const std::vector<std::string>& materials) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(bundled_chooser(), ignored)) return false;
-  const std::vector<std::string> known = MaterialChooser::load(bundled_chooser()).materials();
-  return std::ranges::all_of(materials,
-                             [&](const std::string& name) { return std::ranges::count(known, name) > 0; });
+  try {
+    const std::vector<std::string> known = MaterialChooser::load(bundled_chooser()).materials();
+    return std::ranges::all_of(materials,
+                               [&](const std::string& name) { return std::ranges::count(known, name) > 0; });
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 MaterialRanking glance(const Image& photo, const RankSettings& settings) {

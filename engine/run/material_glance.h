@@ -5,7 +5,7 @@
 
 namespace patina {
 
-/// Whether the network that tells materials apart has learned all of these.
+/// Whether the network that tells materials apart can be used, and has learned all of these.
 bool can_glance(const std::vector<std::string>& materials);
 
 /// Ranks materials by that network alone (prediction/material_chooser.h), in a second or two: log evidence is

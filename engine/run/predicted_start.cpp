@@ -30,11 +30,15 @@ std::vector<Position> predicted_guesses(const Posterior& posterior, const Image&
                                         const Capture& capture, std::uint64_t seed) {
   const std::string& material = posterior.table().material;
   if (!has_predictor(material)) return {};
-  const Prediction prediction = prediction_for(material, photo, capture);
-  std::vector<Position> guesses{posterior.position(prediction.likeliest())};
-  Rng rng(seed, kStream);
-  for (int i = 0; i < kDraws; ++i) guesses.push_back(posterior.position(prediction.draw(rng)));
-  return guesses;
+  try {
+    const Prediction prediction = prediction_for(material, photo, capture);
+    std::vector<Position> guesses{posterior.position(prediction.likeliest())};
+    Rng rng(seed, kStream);
+    for (int i = 0; i < kDraws; ++i) guesses.push_back(posterior.position(prediction.draw(rng)));
+    return guesses;
+  } catch (const UserError&) {
+    return {};  // who has given a material another parameter can fit it all the same
+  }
 }
 
 }  // namespace patina

@@ -16,7 +16,7 @@ namespace patina {
 Prediction prediction_for(const std::string& material, const Image& photo, const Capture& capture);
 
 /// Where a search does well to look first: the prediction's likeliest place and draws about it. Empty for a
-/// material without a predictor. @throws UserError for one that cannot be used
+/// material without a predictor, or with one that cannot be used.
 std::vector<Position> predicted_guesses(const Posterior& posterior, const Image& photo,
                                         const Capture& capture, std::uint64_t seed);
 
