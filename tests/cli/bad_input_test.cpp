@@ -26,7 +26,7 @@ class BadInput : public CliTest {
 };
 
 TEST_F(BadInput, Usage) {
-  refused({}, "fit, compare");
+  refused({}, "fit, predict");
   refused({"nosuch"}, "command");
   refused({"fit"}, "PHOTO");
   refused({"summarize"}, "RUN_DIR");
