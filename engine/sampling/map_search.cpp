@@ -18,8 +18,9 @@ namespace {
 constexpr double kSameBasin = 0.3;  // prior standard deviations
 
 // The walk along jagged coordinates, in prior standard deviations and nats.
-constexpr int kWalkRounds = 5, kStepsPerRound = 6;
-constexpr double kWidestWalk = 0.5, kWalkNarrowing = 0.6, kNearlyAsGood = 5;
+// On the finest target, where it is decided, it is three times as long.
+constexpr int kWalkRounds = 5, kFineWalkRounds = 15, kStepsPerRound = 6;
+constexpr double kWidestWalk = 0.5, kNarrowestWalk = 0.065, kNearlyAsGood = 5;
 
 constexpr int kGuessesClimbed = 3;
 
@@ -59,7 +60,8 @@ class Search {
     total_ = candidate_count() + climb_count() * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
-      total_ += settings.finalists * kWalkRounds * short_climb() * (1 + cost(targets.size() - 1));
+      total_ +=
+          settings.finalists * short_climb() * (kWalkRounds + kFineWalkRounds * cost(targets.size() - 1));
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
@@ -198,21 +200,23 @@ class Search {
   void walk_all(std::vector<OptimizerResult>& results, std::size_t target) {
     std::vector<Eigen::MatrixXd>
         steps;  // drawn before the threads start, in an order that is always the same
-    for (std::size_t i = 0; i < results.size(); ++i) steps.push_back(jagged_steps());
+    for (std::size_t i = 0; i < results.size(); ++i)
+      steps.push_back(jagged_steps(target == 0 ? kWalkRounds : kFineWalkRounds));
     for_all(results.size(), [&](std::size_t i) { walk(target, results[i], steps[i]); });
     sort_best_first(results);
   }
 
   /// A step a column, narrower from round to round. Every other one moves all jagged coordinates, those
   /// between them one each in turn: a size may be wrong where the place is right.
-  Eigen::MatrixXd jagged_steps() {
+  Eigen::MatrixXd jagged_steps(int rounds) {
     const Eigen::Index n = targets_.front()->dimension();
     std::vector<Eigen::Index> jagged;
     for (Eigen::Index k = 0; k < n; ++k)
       if (jagged_[static_cast<std::size_t>(k)]) jagged.push_back(k);
-    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(n, kWalkRounds * kStepsPerRound);
+    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(n, rounds * kStepsPerRound);
     for (int i = 0; i < steps.cols(); ++i) {
-      const double spread = kWidestWalk * std::pow(kWalkNarrowing, i / kStepsPerRound);
+      const double share = static_cast<double>(i / kStepsPerRound) / (rounds - 1);
+      const double spread = kWidestWalk * std::pow(kNarrowestWalk / kWidestWalk, share);
       if (i % 2 == 0)
         steps(jagged[static_cast<std::size_t>(i / 2) % jagged.size()], i) = spread * rng_.normal();
       else
@@ -223,7 +227,7 @@ class Search {
 
   void walk(std::size_t level, OptimizerResult& result, const Eigen::MatrixXd& steps) {
     const LogDensity& target = *targets_[level];
-    for (int round = 0; round < kWalkRounds && !stopped(); ++round) {
+    for (int round = 0; (round + 1) * kStepsPerRound <= steps.cols() && !stopped(); ++round) {
       std::vector<OptimizerResult> places;
       for (int i = 0; i < kStepsPerRound && !stopped(); ++i) {
         Position position = result.position;
