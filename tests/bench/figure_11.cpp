@@ -66,7 +66,7 @@ Photographed fit_both(const std::string& material, int photo) {
   return result;
 }
 
-/// What a chain of the better half settles at.
+/// The mean log density that the best chain settles at.
 double typical(const Photographed& photo) {
   double best = -1e300;
   for (const auto& chains : photo.chains)
