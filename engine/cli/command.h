@@ -22,5 +22,6 @@ void add_summarize(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_materials(CLI::App& app, Command& chosen);
 void add_chart(CLI::App& app, Command& chosen);
+void add_calibrate(CLI::App& app, Command& chosen);
 
 }  // namespace patina

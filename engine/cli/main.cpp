@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   add_export(app, chosen);
   add_materials(app, chosen);
   add_chart(app, chosen);
+  add_calibrate(app, chosen);
   try {
     app.parse(argc, argv);
     return chosen();
@@ -43,9 +44,9 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::RequiredError& error) {
     const bool no_command = app.get_subcommands().empty();
-    return refuse(no_command
-                      ? "Name a command: fit, render, summarize, export, materials or chart (see patina-cli --help)"
-                      : with_help(error.what()),
+    return refuse(no_command ? "Name a command: fit, render, summarize, export, materials, chart or "
+                               "calibrate (see patina-cli --help)"
+                             : with_help(error.what()),
                   kBadInput);
   } catch (const CLI::ParseError& error) {
     return refuse(with_help(error.what()), kBadInput);

@@ -3,11 +3,10 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/core/Tensor.h>
 #include <ATen/core/grad_mode.h>
-#include <ATen/ops/from_blob.h>
 #include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/tensor.h>
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -15,22 +14,20 @@
 #include <vector>
 
 #include "engine/error.h"
-#include "engine/io/photo.h"
 #include "engine/material/material.h"
-#include "engine/material/photograph.h"
 #include "engine/material/registry.h"
 #include "engine/posterior/error_model.h"
+#include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
+#include "engine/posterior/simulate.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
 namespace {
 
-/// [3, n, n] float32 from a square RGB image.
-at::Tensor to_tensor(const Image& image) {
-  assert(image.channels == 3 && image.width == image.height);
-  auto* pixels = const_cast<float*>(image.pixels.data());
-  return at::from_blob(pixels, {image.height, image.width, 3}, at::kFloat).permute({2, 0, 1}).contiguous();
+Eigen::VectorXd to_vector(const at::Tensor& tensor) {
+  const at::Tensor doubles = tensor.to(at::kDouble).contiguous();
+  return Eigen::Map<const Eigen::VectorXd>(doubles.data_ptr<double>(), doubles.numel());
 }
 
 Evaluation outside_support(Eigen::Index dimension) {
@@ -39,35 +36,43 @@ Evaluation outside_support(Eigen::Index dimension) {
 
 }  // namespace
 
+std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed) {
+  constexpr std::size_t kWithPlaces = 8;
+  const bool places = std::ranges::count(table.continuous, true, &Parameter::place) > 0;
+  return std::make_shared<IrregularityPool>(first_seed, places ? kWithPlaces : 0);
+}
+
 struct Posterior::Parts {
-  PosteriorSettings settings;
-  std::shared_ptr<const Material> material;
+  ForwardModel model;
   ParameterSpace space;
   std::shared_ptr<const Irregularities> z;
-  std::shared_ptr<const Summary> summary;
   at::Tensor photo_summary;
   at::Tensor inverse_sigma;
+  std::shared_ptr<const SyntheticLikelihood> calibrated;  ///< null: the errors are the hand-set ones
 
   Parts(const PosteriorSettings& s, const Image& photo)
-      : settings(s),
-        material(make_material(s.material)),
-        space(material->table(), s.priors, s.fixed),
-        z(std::make_shared<const Irregularities>(s.z_seed)),
-        summary(make_summary(s.summary, s.network)) {
-    if (s.resolution < summary->minimum_resolution())
+      : model{make_material(s.material), make_summary(s.summary, s.network), s.capture, s.resolution},
+        space(model.material->table(), s.priors, s.fixed),
+        z(std::make_shared<const Irregularities>(s.z_seed)) {
+    const int least = model.summary->minimum_resolution();
+    if (s.resolution < least)
       throw UserError("The resolution " + std::to_string(s.resolution) +
-                      " is too small for this summary: use " + std::to_string(summary->minimum_resolution()) +
-                      " or more.");
-    const at::NoGradGuard no_grad;
-    photo_summary = (*summary)(to_tensor(resized(photo, s.resolution)));
-    inverse_sigma = inverse_sigmas(photo_summary, summary->blocks(), s.gram_sigma, s.mean_sigma);
+                      " is too small for this summary: use " + std::to_string(least) + " or more.");
+    photo_summary = model.summary_of(photo);
+    inverse_sigma = inverse_sigmas(photo_summary, model.summary->blocks(), s.gram_sigma, s.mean_sigma);
   }
 
   /// Summary of the render at parameter values, with its graph.
   at::Tensor summary_at(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    const Surface surface =
-        material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
-    return (*summary)(photograph(surface, settings.capture, settings.resolution, DisplayCurve::srgb));
+    return model.summary_of_render(parameters, discrete, *z);
+  }
+
+  /// Under calibrated errors; nothing is rendered.
+  Evaluation calibrated_evaluation(const Position& position) const {
+    Evaluation evaluation = calibrated->evaluate(position.continuous);
+    evaluation.log_density -= 0.5 * position.continuous.squaredNorm();
+    evaluation.gradient -= position.continuous;
+    return evaluation;
   }
 
   /// Half the chi-square of the render's summary, a double scalar with its graph.
@@ -87,6 +92,7 @@ struct Posterior::Parts {
 
   Evaluation evaluate(const Position& position, bool along_jagged) const {
     if (!position.continuous.allFinite()) return outside_support(space.dimension());
+    if (calibrated) return calibrated_evaluation(position);
     const ParameterValues values = space.values(position);
     const std::vector<at::Tensor> parameters = leaves(values, along_jagged);
     const at::Tensor misfit = this->misfit(parameters, values.discrete);
@@ -120,11 +126,8 @@ Posterior::~Posterior() = default;
 Eigen::VectorXd Posterior::predicted(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
-  const at::Tensor whitened =
-      (parts_->summary_at(parts_->leaves(values, false), values.discrete) * parts_->inverse_sigma)
-          .to(at::kDouble)
-          .contiguous();
-  return Eigen::Map<const Eigen::VectorXd>(whitened.data_ptr<double>(), whitened.numel());
+  return to_vector(parts_->summary_at(parts_->leaves(values, false), values.discrete) *
+                   parts_->inverse_sigma);
 }
 
 Posterior Posterior::given(const Eigen::VectorXd& observed) const {
@@ -136,14 +139,30 @@ Posterior Posterior::given(const Eigen::VectorXd& observed) const {
                  at::kDouble)
           .to(at::kFloat) /
       parts_->inverse_sigma;
+  parts->calibrated.reset();
   return Posterior(std::move(parts));
 }
+
+Posterior Posterior::calibrated_around(const Position& centre, const Eigen::MatrixXd& covariance,
+                                       const SimulationSettings& settings, IrregularityPool& pool) const {
+  // What rounding leaves uncertain of a summary, in units of the hand-set errors.
+  constexpr double kFloor = 1e-3;
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->calibrated = std::make_shared<const SyntheticLikelihood>(
+      simulate(parts->model, parts->space, parts->inverse_sigma, centre, covariance, settings, pool),
+      to_vector(parts->photo_summary * parts->inverse_sigma), kFloor);
+  return Posterior(std::move(parts));
+}
+
+const PhotoFit* Posterior::fit() const { return parts_->calibrated ? &parts_->calibrated->fit() : nullptr; }
 
 Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 
 std::vector<int> Posterior::discrete_levels() const { return parts_->space.discrete_levels(); }
 
-std::vector<bool> Posterior::jagged() const { return parts_->space.jagged(); }
+std::vector<bool> Posterior::jagged() const {
+  return parts_->calibrated ? std::vector<bool>{} : parts_->space.jagged();
+}
 
 const ParameterTable& Posterior::table() const { return parts_->space.table(); }
 
@@ -155,6 +174,7 @@ Evaluation Posterior::evaluate(const Position& position) const { return parts_->
 
 Evaluation Posterior::value(const Position& position) const {
   if (!position.continuous.allFinite()) return outside_support(dimension());
+  if (parts_->calibrated) return parts_->calibrated_evaluation(position);
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
   const at::Tensor misfit = parts_->misfit(parts_->leaves(values, false), values.discrete);

@@ -13,6 +13,14 @@
 
 namespace patina {
 
+class IrregularityPool;
+struct PhotoFit;
+struct SimulationSettings;
+
+/// Irregularities to simulate with: for a material that has places a few, dealt anew by where their maps are
+/// looked at; else as many as are asked for.
+std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed);
+
 /// What a posterior is made of, beside the photo.
 struct PosteriorSettings {
   std::string material = "bump";
@@ -60,6 +68,15 @@ class Posterior final : public LogDensity {
   /// stay those of the photo that this posterior was made for, so that predicted() + N(0, I) is a draw from
   /// its sampling distribution to the letter.
   Posterior given(const Eigen::VectorXd& observed) const;
+
+  /// The same posterior with the likelihood that photos simulated of N(centre, covariance) make
+  /// (synthetic_likelihood.h), in place of renders and hand-set or other errors: it takes microseconds, has
+  /// no jagged coordinates, and leaves places and discrete levels their prior.
+  Posterior calibrated_around(const Position& centre, const Eigen::MatrixXd& covariance,
+                              const SimulationSettings& settings, IrregularityPool& pool) const;
+
+  /// How the photo compares with those simulated. Null: the errors are the hand-set ones.
+  const PhotoFit* fit() const;
 
   /// All parameters, with the priors in force; fixed ones included.
   const ParameterTable& table() const;

@@ -1,0 +1,53 @@
+#include "engine/posterior/forward_model.h"
+
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/from_blob.h>
+#include <ATen/ops/tensor.h>
+
+#include <cassert>
+#include <cstring>
+
+#include "engine/io/photo.h"
+#include "engine/material/photograph.h"
+
+namespace patina {
+namespace {
+
+/// [3, n, n] float32 from a square RGB image.
+at::Tensor to_tensor(const Image& image) {
+  assert(image.channels == 3 && image.width == image.height);
+  auto* pixels = const_cast<float*>(image.pixels.data());
+  return at::from_blob(pixels, {image.height, image.width, 3}, at::kFloat).permute({2, 0, 1}).contiguous();
+}
+
+Image to_image(const at::Tensor& planes) {
+  const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
+  Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
+  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
+  return image;
+}
+
+}  // namespace
+
+at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
+                                           const std::vector<int>& discrete, const Irregularities& z) const {
+  const Surface surface = material->surface(parameters, discrete, z, capture, resolution);
+  return (*summary)(photograph(surface, capture, resolution, DisplayCurve::srgb));
+}
+
+at::Tensor ForwardModel::summary_of_photo(const ParameterValues& values, const Irregularities& z,
+                                          const Camera& camera, Rng& rng) const {
+  const at::NoGradGuard no_grad;
+  const int side = resolution * camera.oversampling;
+  const Surface surface =
+      material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture, side);
+  return summary_of(
+      photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng));
+}
+
+at::Tensor ForwardModel::summary_of(const Image& photo) const {
+  const at::NoGradGuard no_grad;
+  return (*summary)(to_tensor(resized(photo, resolution)));
+}
+
+}  // namespace patina
