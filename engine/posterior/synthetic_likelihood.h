@@ -47,7 +47,7 @@ class SyntheticLikelihood {
   /// Log likelihood and its gradient along all coordinates, zero along places.
   Evaluation evaluate(const Eigen::VectorXd& coordinates) const;
 
-  /// At the centre. @return as SimulatedPhotos has it
+  /// Of the photo with those simulated, all compared with their mean at the centre.
   const PhotoFit& fit() const { return fit_; }
 
  private:
