@@ -3,6 +3,8 @@
 namespace patina {
 namespace {
 
+constexpr int kBeforeF1 = 289;  // GLFW's code of F1, less 1; Dear ImGui 1.86 has no names for these keys
+
 ImGuiKeyModFlags held_modifiers() {
   const ImGuiIO& io = ImGui::GetIO();
   return (io.KeyCtrl ? ImGuiKeyModFlags_Ctrl : 0) | (io.KeyShift ? ImGuiKeyModFlags_Shift : 0) |
@@ -32,6 +34,16 @@ Shortcut Shortcut::character(char character) {
   return shortcut;
 }
 
+Shortcut Shortcut::function(int number, ImGuiKeyModFlags modifiers) {
+  static constexpr const char* kNames[] = {"F1", "F2", "F3", "F4",  "F5",  "F6",
+                                           "F7", "F8", "F9", "F10", "F11", "F12"};
+  Shortcut shortcut;
+  shortcut.key = kBeforeF1 + number;
+  shortcut.name = kNames[number - 1];
+  shortcut.modifiers = modifiers;
+  return shortcut;
+}
+
 bool Shortcut::pressed(bool repeats) const {
   if (typed != 0) return ImGui::GetIO().InputQueueCharacters.contains(static_cast<ImWchar>(typed));
   if (held_modifiers() != modifiers) return false;
@@ -46,7 +58,7 @@ std::string Shortcut::text() const {
   if (typed != 0) return text + typed;
   if (key == '=') return text + "Plus";  // where most keyboards have it
   if (key == '-') return text + "Minus";
-  return key != 0 ? text + static_cast<char>(key) : text + name;
+  return *name == 0 ? text + static_cast<char>(key) : text + name;
 }
 
 std::string shortcut_text(const Action& action) {

@@ -14,9 +14,12 @@ struct Shortcut {
   static Shortcut letter(char key, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None);
   static Shortcut named(ImGuiKey key, const char* name, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None);
   static Shortcut character(char character);
+  static Shortcut function(int number, ImGuiKeyModFlags modifiers = ImGuiKeyModFlags_None);  ///< F1 ... F12
 
   bool pressed(bool repeats) const;  ///< in this frame
   std::string text() const;          ///< "Ctrl+Shift+P"
+  /// Whether it moves something while the keys are in a panel (KeyboardFocus), a plot or the photo.
+  bool navigates() const { return named_key >= 0; }
 
   int key = 0;  ///< as letter() takes it; 0: another kind
   ImGuiKey named_key = -1;

@@ -7,17 +7,19 @@
 #include <iterator>
 #include <utility>
 
+#include "gui/look.h"
 #include "gui/panels/chains_panel.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/help_sheet.h"
 #include "gui/panels/top_bar.h"
 #include "gui/theme.h"
-#include "gui/wake_limiter.h"
 
 namespace patina {
 namespace {
 
-constexpr auto kDrawInterval = std::chrono::milliseconds(100);  // between frames for new draws alone
+/// Between frames for new draws alone: a draw is on the screen within a tenth of a second of being made, and
+/// the sampler keeps its cores.
+constexpr auto kDrawInterval = std::chrono::milliseconds(50);
 
 std::filesystem::path home() {
   const char* home = std::getenv("HOME");
@@ -30,9 +32,15 @@ App::App(Window& window, RunFactory factory, const std::filesystem::path& runs,
          const std::filesystem::path& preferences)
     : window_(window),
       preferences_file_(preferences),
-      session_(std::move(factory), runs, limited_wake([&window] { window.wake(); }, kDrawInterval)),
+      draw_news_([&window] { window.wake(1); }, kDrawInterval),
+      session_(std::move(factory), runs, [this] { draw_news_.note(); }),
       previews_([&window] { window.wake(); }),
-      loader_([&window] { window.wake(); }),
+      photo_loader_(
+          [](const PhotoRequest& request) {
+            return load_photo(request.file, {.crop = request.crop, .whole_side = Session::kWholeSide});
+          },
+          [&window] { window.wake(); }),
+      run_loader_(session_.run_opener(), [&window] { window.wake(); }),
       photo_(window.gl()),
       preview_(window.gl()),
       scatter_(window.gl(), [&window] { window.wake(); }),
@@ -70,7 +78,7 @@ double App::patience() const {
 }
 
 void App::frame(double longest_wait) {
-  if (!dressed_) dress();
+  if (!std::exchange(dressed_, true)) fonts_ = dress(window_, preferences_);
   window_.begin_frame(std::min(patience(), longest_wait));
   take_dropped_files();
   take_in_news();
@@ -114,6 +122,8 @@ void App::handle_escape() {
     file_choice_.close();
   } else if (help_open_) {
     help_open_ = false;
+  } else if (scatter_.takes_keys() || photo_.takes_keys()) {
+    give_keys_to_plot(false);
   } else if (banner_.visible()) {
     banner_.dismiss();
   } else if (!session_.model().marked().empty()) {
@@ -121,6 +131,16 @@ void App::handle_escape() {
   } else {
     session_.model().select(std::nullopt);
   }
+}
+
+void App::give_keys_to_plot(bool given) {
+  photo_.take_keys(session_, false);
+  scatter_.take_keys(given);
+}
+
+void App::give_keys_to_photo(bool given) {
+  scatter_.take_keys(false);
+  photo_.take_keys(session_, given);
 }
 
 bool App::step_back(Choices choices) {
@@ -154,12 +174,19 @@ void App::note_steps() {
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   // While a note is typed, Esc only ends that.
-  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool in_panel = keyboard_.on();
+  if (in_panel) give_keys_to_plot(false);
+  if (keyboard_.follow()) return;
+  const bool in_dialog = dialog_.visible() || palette_.visible() || file_choice_.visible() || help_open_;
+  const bool escape =
+      (in_dialog || !in_panel) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (escape && (!io.WantTextInput || dialog_.visible() || palette_.visible())) handle_escape();
   if (io.WantTextInput || dialog_.visible() || file_choice_.visible() || palette_.visible()) return;
+  const bool taken = in_panel || scatter_.takes_keys() || photo_.takes_keys();
   for (const Action& action : actions_) {
-    const bool pressed = std::ranges::any_of(
-        action.shortcuts, [&](const Shortcut& shortcut) { return shortcut.pressed(action.repeats); });
+    const bool pressed = std::ranges::any_of(action.shortcuts, [&](const Shortcut& shortcut) {
+      return shortcut.pressed(action.repeats) && !(taken && shortcut.navigates());
+    });
     if (pressed && action.enabled()) attempt(action.run);
   }
 }
@@ -178,7 +205,7 @@ void App::draw_panels() {
   draw_top_bar(context, layout.top_bar, preferences_.recent,
                {open_dialog, [this](const auto& file) { open(file); }, [this] { help_open_ = true; },
                 [this] { palette_.open(); }});
-  photo_.draw(context, layout.photo, loader_.busy(), open_dialog);
+  photo_.draw(context, layout.photo, loading(), open_dialog);
   preview_.draw(context, layout.preview, shown, photo_.compared(session_), previews_.problem(),
                 previews_.waiting());
   scatter_.draw(
@@ -252,9 +279,8 @@ void App::start_export(const std::filesystem::path& folder) {
 }
 
 void App::star_shown() {
-  ExplorerModel& model = session_.model();
   if (const auto draw = shown_draw(session_).draw) {
-    model.star(*draw, !model.starred(*draw));
+    session_.model().toggle_star(*draw);
   } else {
     banner_.show(ErrorBanner::Kind::notice, "Only a draw can be starred: click one in the plot first.");
   }

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/run/waker.h"
 #include "gui/action.h"
+#include "gui/background_loader.h"
 #include "gui/export_worker.h"
 #include "gui/fonts.h"
 #include "gui/history.h"
+#include "gui/keyboard_focus.h"
 #include "gui/layout.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/error_banner.h"
@@ -20,7 +23,6 @@
 #include "gui/panels/photo_panel.h"
 #include "gui/panels/preview_panel.h"
 #include "gui/panels/scatter_panel.h"
-#include "gui/photo_loader.h"
 #include "gui/preferences.h"
 #include "gui/preview_feed.h"
 #include "gui/session.h"
@@ -44,6 +46,8 @@ class App {
   void load(const std::filesystem::path& path);
   /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
   void open(const std::filesystem::path& path);
+  /// As open(), and starts a run on a photo as soon as it is there.
+  void open_and_start(const std::filesystem::path& path);
   /// Opens the run that was open when the program was left, at the same draw. @return whether there is one
   bool reopen();
 
@@ -64,12 +68,17 @@ class App {
   const FileChoice& file_choice() const { return file_choice_; }
   const CommandPalette& palette() const { return palette_; }
   const Preferences& preferences() const { return preferences_; }
-  bool loading() const { return loader_.busy(); }
+  bool loading() const { return photo_loader_.busy() || run_loader_.busy(); }
   bool exporting() const { return exporter_.busy(); }
 
  private:
   /// What has a history.
   enum class Choices { draws, next_run };
+  struct PhotoRequest {
+    std::filesystem::path file;
+    std::optional<PhotoCrop> crop;
+    bool operator==(const PhotoRequest&) const = default;
+  };
 
   double patience() const;  ///< seconds until something may change by itself
   void attempt(const std::function<void()>& action);
@@ -78,15 +87,17 @@ class App {
   std::vector<Action> view_actions();
   std::vector<Action> recent_actions();
   std::vector<Action> run_actions();
+  std::vector<Action> material_actions();
   std::vector<Action> preview_actions();
   std::vector<Action> draw_actions();
   std::vector<Action> plot_actions();
-  void dress();
   void remember();
   void save_preferences();
   void restore_draw();
   void take_in_news();
   void finish_loading();
+  void finish_loading_photo();
+  void finish_loading_run();
   void follow_crop();
   void announce_opened();
   void take_dropped_files();
@@ -94,6 +105,8 @@ class App {
   void finish_export();
   void handle_keys();
   void handle_escape();
+  void give_keys_to_plot(bool given);
+  void give_keys_to_photo(bool given);
   void draw_panels();
   bool step_back(Choices choices);
   bool step_forward(Choices choices);
@@ -113,12 +126,16 @@ class App {
   Preferences preferences_, saved_preferences_;
   std::chrono::steady_clock::time_point saved_at_;
   std::optional<Preferences::DrawPlace> awaited_draw_;  ///< to be selected when it has been read
+  std::size_t looked_at_ = 0;                           ///< draws among which it was not
   Fonts fonts_{};
   bool dressed_ = false;  ///< fonts and colours are as the preferences want them
+  Waker draw_news_;
   Session session_;
   PreviewFeed previews_;
   ExportWorker exporter_;
-  PhotoLoader loader_;
+  BackgroundLoader<PhotoRequest, Photo> photo_loader_;
+  BackgroundLoader<std::filesystem::path, std::unique_ptr<DrawSource>> run_loader_;
+  bool starts_when_loaded_ = false;
   FileDialog dialog_;
   FileChoice file_choice_;
   CommandPalette palette_;
@@ -134,6 +151,7 @@ class App {
   std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;
   bool help_open_ = false;
+  KeyboardFocus keyboard_;
   std::vector<Action> actions_;
 };
 

@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/material/registry.h"
 #include "gui/app.h"
 #include "gui/panels/panel.h"
+#include "gui/words.h"
 
 namespace patina {
 
 std::vector<Action> App::make_actions() {
   std::vector<Action> actions = file_actions();
-  for (auto more : {run_actions(), draw_actions(), plot_actions(), preview_actions(), view_actions()})
+  for (auto more :
+       {run_actions(), material_actions(), draw_actions(), plot_actions(), preview_actions(), view_actions()})
     actions.insert(actions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return actions;
 }
@@ -64,8 +67,26 @@ std::vector<Action> App::run_actions() {
        pause_or_resume,
        can_pause},
       {"Run", "Stop the run", {}, [this] { session_.stop(); }, can_pause},
+      {"Run",
+       "Close the run; its photo stays",
+       {},
+       [this] { session_.close_run(); },
+       [this] { return session_.has_run(); }},
       {"Run", "Continue the run", {}, [this] { session_.go_on(); }, [this] { return session_.can_go_on(); }},
   };
+}
+
+std::vector<Action> App::material_actions() {
+  std::vector<Action> actions{{"Material",
+                               "Material: find out which it is",
+                               {},
+                               [this] { session_.find_material(); },
+                               [this] { return session_.has_photo() && session_.photo_is_current(); }}};
+  for (const std::string& name : material_names())
+    actions.push_back({"Material", "Material: " + capitalised(name), {}, [this, name] {
+                         session_.choices().set_material(name);
+                       }});
+  return actions;
 }
 
 std::vector<Action> App::draw_actions() {
@@ -108,6 +129,11 @@ std::vector<Action> App::plot_actions() {
       {"Plot", "Mark draws with a box", {Shortcut::letter('B')}, take(MarkingTool::box)},
       {"Plot", "Mark draws with a lasso", {Shortcut::letter('L')}, take(MarkingTool::lasso)},
       {"Plot",
+       "Mark draws by keyboard: arrows, Enter sets corners, Esc ends",
+       {Shortcut::letter('X')},
+       [this] { give_keys_to_plot(!scatter_.takes_keys()); },
+       [this] { return session_.has_run(); }},
+      {"Plot",
        "Contours around half of the draws, and nine in ten",
        {Shortcut::letter('K')},
        [this] { session_.model().show_contours(!session_.model().shows_contours()); }},
@@ -127,7 +153,13 @@ std::vector<Action> App::view_actions() {
     };
   };
   const auto key = [](char letter) { return Shortcut::letter(letter, ImGuiKeyModFlags_Ctrl); };
+  const auto go = [this](int panels) { return [this, panels] { keyboard_.go(panels); }; };
   return {
+      {"Window",
+       "To the next panel by keyboard; then arrows, Space presses, Esc leaves",
+       {Shortcut::function(6)},
+       go(1)},
+      {"Window", "To the panel before", {Shortcut::function(6, ImGuiKeyModFlags_Shift)}, go(-1)},
       {"Window", "Larger text and panels", {key('=')}, scale(1.1f)},
       {"Window", "Smaller text and panels", {key('-')}, scale(1 / 1.1f)},
       {"Window", "Text and panels at their usual size", {key('0')}, scale(0)},
@@ -158,6 +190,16 @@ std::vector<Action> App::preview_actions() {
                      [this] { photo_.show_clipped(!photo_.shows_clipped()); },
                      has_photo});
   actions.push_back({"Photo",
+                     "Show the square as the run sees it",
+                     {Shortcut::letter('V')},
+                     [this] { photo_.show_seen(!photo_.shows_seen()); },
+                     has_photo});
+  actions.push_back({"Photo",
+                     "Move the square by keyboard: arrows, + and -, Enter keeps it",
+                     {Shortcut::letter('Q')},
+                     [this] { give_keys_to_photo(!photo_.takes_keys()); },
+                     [this] { return session_.has_photo() && !session_.photo().whole.empty(); }});
+  actions.push_back({"Photo",
                      "Use the middle of the photo",
                      {},
                      [this] {
@@ -185,7 +227,11 @@ std::vector<Action> App::preview_actions() {
   compare("Difference of photo and render", 'D', Comparison::difference);
   compare("Flicker between photo and render", 'F', Comparison::flicker);
   const auto expose = [&](const char* name, char key, float change) {
-    actions.push_back({"Render", name, {Shortcut::character(key)}, [&view, change] { view.expose(change); }});
+    actions.push_back({"Render",
+                       name,
+                       {Shortcut::character(key)},
+                       [&view, change] { view.expose(change); },
+                       [this] { return !photo_.takes_keys(); }});
   };
   expose("Brighter by half a stop", '+', 0.5f);
   expose("Darker by half a stop", '-', -0.5f);

@@ -7,34 +7,57 @@
 namespace patina {
 
 void App::open(const std::filesystem::path& path) {
+  starts_when_loaded_ = false;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    load(path);
+    photo_loader_.cancel();
+    run_loader_.start(path);
   } else {
-    loader_.start({path, std::nullopt});
+    run_loader_.cancel();
+    photo_loader_.start({path, std::nullopt});
   }
 }
 
+void App::open_and_start(const std::filesystem::path& path) {
+  attempt([&] { open(path); });
+  starts_when_loaded_ = photo_loader_.busy();
+}
+
 void App::finish_loading() {
-  auto outcome = loader_.take();
+  finish_loading_photo();
+  finish_loading_run();
+}
+
+void App::finish_loading_run() {
+  auto outcome = run_loader_.take();
   if (!outcome) return;
-  const PhotoLoader::Request& request = outcome->request;
-  if (!outcome->photo) {
+  if (!outcome->loaded) return banner_.show(ErrorBanner::Kind::error, outcome->error);
+  session_.open_run(std::move(*outcome->loaded));
+  announce_opened();
+}
+
+void App::finish_loading_photo() {
+  auto outcome = photo_loader_.take();
+  if (!outcome) return;
+  const PhotoRequest& request = outcome->request;
+  if (!outcome->loaded) {
     banner_.show(ErrorBanner::Kind::error, outcome->error);
+    starts_when_loaded_ = false;
     // Asked for once more, it would fail again.
     if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
   } else if (!request.crop) {
-    session_.open_photo(std::move(*outcome->photo), request.file);
+    session_.open_photo(std::move(*outcome->loaded), request.file);
     announce_opened();
+    if (std::exchange(starts_when_loaded_, false)) attempt([this] { session_.start(); });
   } else if (request.file == session_.photo_file()) {
-    session_.recrop(std::move(*outcome->photo));
+    session_.recrop(std::move(*outcome->loaded));
   }
 }
 
 void App::follow_crop() {
-  const bool opens_another = loader_.busy() && !loader_.request().crop;
+  const bool opens_another = run_loader_.busy() || (photo_loader_.busy() && !photo_loader_.request().crop);
   if (!opens_another && !session_.photo_is_current())
-    loader_.start({session_.photo_file(), session_.chosen_crop()});
+    photo_loader_.start({session_.photo_file(), session_.chosen_crop()});
 }
 
 void App::take_dropped_files() {

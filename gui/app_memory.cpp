@@ -1,24 +1,15 @@
 // How the program is left and found again.
 
-#include <cmath>
+#include <utility>
 
 #include "gui/app.h"
-#include "gui/theme.h"
 
 namespace patina {
 namespace {
 
-constexpr float kFontSize = 15;                          // at 96 dots per inch
 constexpr auto kBetweenSaves = std::chrono::seconds(2);  // flushing to disk takes a while
 
 }  // namespace
-
-void App::dress() {
-  const float size = std::round(kFontSize * window_.content_scale() * preferences_.scale);
-  theme::apply(size, preferences_.light_theme ? theme::Theme::light : theme::Theme::dark);
-  fonts_ = load_fonts(size, window_.pixel_density());
-  dressed_ = true;
-}
 
 void App::save_preferences() {
   saved_preferences_ = preferences_;
@@ -48,13 +39,15 @@ bool App::reopen() {
   attempt([this] { load(std::filesystem::path(preferences_.last_run)); });
   if (!session_.has_run()) return false;
   awaited_draw_ = draw;
+  looked_at_ = 0;
   return true;
 }
 
 void App::restore_draw() {
   if (!awaited_draw_) return;
   ExplorerModel& model = session_.model();
-  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration);
+  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration,
+                                        std::exchange(looked_at_, model.draws().size()));
   if (found) model.select(found);
   if (found || model.selected() || !session_.has_run()) awaited_draw_.reset();
 }

@@ -41,4 +41,12 @@ PhotoCrop dragged_crop(const PhotoCrop& start, CropHandle handle, double right, 
   return {holds_left ? held_x : held_x - side, holds_top ? held_y : held_y - side, side};
 }
 
+PhotoCrop resized_crop(const PhotoCrop& crop, int grown, int photo_width, int photo_height) {
+  const int most = std::min(photo_width, photo_height);
+  const int side = std::clamp(crop.side + grown, std::min(kMinPhotoSide, most), most);
+  const int shift = (crop.side - side) / 2;
+  return {std::clamp(crop.x + shift, 0, photo_width - side),
+          std::clamp(crop.y + shift, 0, photo_height - side), side};
+}
+
 }  // namespace patina

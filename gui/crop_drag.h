@@ -16,4 +16,8 @@ CropHandle crop_handle_at(const PhotoCrop& crop, double x, double y, double reac
 PhotoCrop dragged_crop(const PhotoCrop& start, CropHandle handle, double right, double down, int photo_width,
                        int photo_height);
 
+/// The square about the same middle, its side grown by so many photo pixels; it stays inside the photo and
+/// large enough to be used.
+PhotoCrop resized_crop(const PhotoCrop& crop, int grown, int photo_width, int photo_height);
+
 }  // namespace patina

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
-#include "gui/theme.h"
-
 namespace patina {
 
 void DrawColours::follow(const ExplorerModel& model, int run) {
   const bool same = run == run_ && model.colouring() == colouring_;
   run_ = run;
+  theme_ = theme::in_force();
   colouring_ = model.colouring();
   if (!is_scale()) {
     range_ = {};

@@ -3,13 +3,14 @@
 #include <imgui.h>
 
 #include "gui/explorer_model.h"
+#include "gui/theme.h"
 
 namespace patina {
 
 /// What colour a draw has in the plots, by the user's choice.
 class DrawColours {
  public:
-  /// Takes up the model's choice and the range that its draws have by now.
+  /// Takes up the theme, the model's choice and the range that its draws have by now.
   /// @param run  tells one run's draws from another's
   void follow(const ExplorerModel& model, int run);
 
@@ -27,6 +28,7 @@ class DrawColours {
   Colouring colouring_;
   PlotRange range_;
   int run_ = -1;
+  theme::Theme theme_ = theme::Theme::dark;
 };
 
 }  // namespace patina

@@ -77,8 +77,8 @@ ParameterValues DrawColumns::values(std::size_t draw) const {
   return values;
 }
 
-std::optional<std::size_t> DrawColumns::find(int chain, std::int64_t iteration) const {
-  for (std::size_t draw = 0; draw < size(); ++draw)
+std::optional<std::size_t> DrawColumns::find(int chain, std::int64_t iteration, std::size_t first) const {
+  for (std::size_t draw = first; draw < size(); ++draw)
     if (iteration_[draw] == iteration && chain_[draw] == chain) return draw;
   return std::nullopt;
 }

@@ -94,6 +94,7 @@ class ExplorerModel {
   void set_stars(std::vector<Star> stars);  ///< those that were kept with the run
   bool starred(std::size_t draw) const;
   void star(std::size_t draw, bool on);
+  void toggle_star(std::size_t draw) { star(draw, !starred(draw)); }
   void annotate(std::size_t star, const std::string& note);  ///< a star by its index
   /// The draw that a star belongs to; none as long as it has not arrived.
   std::optional<std::size_t> draw_of(const Star& star) const;

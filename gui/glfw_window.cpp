@@ -16,8 +16,6 @@
 namespace patina {
 namespace {
 
-/// Frames that follow an input without sleep: Dear ImGui answers some input a frame or two later.
-constexpr int kSettlingFrames = 3;
 /// While a text is edited its cursor blinks.
 constexpr double kBlinkSeconds = 0.2;
 
@@ -131,7 +129,7 @@ class GlfwWindow final : public Window {
     } else {
       glfwWaitEventsTimeout(timeout_seconds);
     }
-    if (woken_.exchange(false)) settling_ = kSettlingFrames;
+    settling_ = std::max(settling_, woken_.exchange(0) - 1);
     ImGui_ImplGlfw_NewFrame();
     taps_.hold();
     renderer_->prepare();
@@ -146,8 +144,9 @@ class GlfwWindow final : public Window {
   bool should_close() const override { return glfwWindowShouldClose(window_.get()); }
   void close() override { glfwSetWindowShouldClose(window_.get(), GLFW_TRUE); }
 
-  void wake() override {
-    woken_ = true;
+  void wake(int frames) override {
+    int asked = woken_;
+    while (asked < frames && !woken_.compare_exchange_weak(asked, frames)) continue;
     glfwPostEmptyEvent();
   }
 
@@ -190,7 +189,7 @@ class GlfwWindow final : public Window {
   std::vector<std::filesystem::path> dropped_;
   QuickTaps taps_;
   int settling_ = kSettlingFrames;
-  std::atomic<bool> woken_ = false;
+  std::atomic<int> woken_ = 0;  ///< frames that were asked for
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ class Histogram {
   int bins() const { return static_cast<int>(all_.size()); }
   std::uint32_t all(int bin) const { return all_[static_cast<std::size_t>(bin)]; }
   std::uint32_t marked(int bin) const { return marked_[static_cast<std::size_t>(bin)]; }
+  const std::vector<std::uint32_t>& counts() const { return all_; }
   std::uint32_t peak() const { return peak_; }  ///< values in the fullest bin
   const PlotRange& range() const { return range_; }
 

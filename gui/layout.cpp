@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kGap = 0.5f;      // em
 constexpr float kTopBar = 3.0f;   // em
-constexpr float kChains = 14.5f;  // em
+constexpr float kChains = 16.0f;  // em
 constexpr float kDraw = 8.2f;     // em
 
 /// The right column's tables need their room even in a small window.

@@ -1,14 +1,12 @@
-#include <chrono>
 #include <cstdio>
 #include <exception>
 
 #include "engine/error.h"
-#include "engine/io/file.h"
-#include "engine/io/image_file.h"
-#include "gui/app.h"
 #include "gui/arguments.h"
+#include "gui/explorer_library.h"
 #include "gui/glfw_window.h"
-#include "gui/offscreen_window.h"
+#include "gui/opening_screen.h"
+#include "gui/preferences.h"
 
 // Renders and networks give back large buffers all the time; jemalloc keeps them, in huge pages, so that the
 // next one costs no page faults.
@@ -19,14 +17,6 @@ const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
 namespace patina {
 namespace {
 
-void begin(App& app, const Arguments& arguments) {
-  if (!arguments.material.empty()) app.session().choices().set_material(arguments.material);
-  const bool sample = arguments.input.empty();
-  if (sample && arguments.material.empty() && app.reopen()) return;
-  app.load(sample ? data_directory() / "photos" / "sample_bump.png" : arguments.input);
-  if (!app.session().has_run()) app.session().start();
-}
-
 /// How the window was left; the app says what is wrong with the file.
 Preferences left_preferences() {
   try {
@@ -36,33 +26,34 @@ Preferences left_preferences() {
   }
 }
 
+/// Before a window opens: what is not there need not be looked for behind it.
+void check_input(const std::filesystem::path& input) {
+  std::error_code ignored;
+  if (!input.empty() && !std::filesystem::exists(input, ignored))
+    throw UserError("There is no " + input.string() + ": name a photo, or the directory of a run.");
+}
+
 void run_on_desktop(const Arguments& arguments) {
   const Preferences left = left_preferences();
   const auto window = make_glfw_window("Patina", arguments.width.value_or(left.width),
                                        arguments.height.value_or(left.height));
-  App app(*window, {}, default_runs_directory(), preferences_file());
-  begin(app, arguments);
-  while (!window->should_close()) app.frame();
-}
-
-void run_offscreen(const Arguments& arguments) {
-  using Clock = std::chrono::steady_clock;
-  const auto window = OffscreenWindow::make(arguments.width.value_or(1280), arguments.height.value_or(800));
-  App app(*window, {}, default_runs_directory());
-  begin(app, arguments);
-  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(arguments.seconds));
-  do {
-    app.frame(0.1);
-  } while (Clock::now() < end);
-  write_image(arguments.offscreen, window->screenshot());
+  OpeningScreen screen(*window, left, arguments.input.filename().string());
+  screen.frame();
+  // Not before: the driver is loaded as the window opens, and one library at a time is all that loads.
+  ExplorerLibrary explorer;
+  while (!explorer.ready() && !window->should_close()) screen.frame();
+  if (!window->should_close()) explorer.get()(window.get(), arguments);
 }
 
 int run(int argc, char** argv) {
   try {
     const auto arguments = parse_arguments(argc, argv);
     if (!arguments) return 0;
-    arguments->offscreen.empty() ? run_on_desktop(*arguments) : run_offscreen(*arguments);
+    check_input(arguments->input);
+    if (arguments->offscreen.empty())
+      run_on_desktop(*arguments);
+    else
+      ExplorerLibrary().get()(nullptr, *arguments);
     return 0;
   } catch (const UserError& error) {
     std::fprintf(stderr, "patina: %s\n", error.what());

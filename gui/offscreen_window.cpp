@@ -2,6 +2,7 @@
 
 #include <GL/osmesa.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -16,9 +17,6 @@
 
 namespace patina {
 namespace {
-
-constexpr int kSettlingFrames =
-    3;  ///< frames that follow input without sleep, as in the window on the desktop
 
 /// The index in KeysDown of one of ImGui's named keys: letters and space as their ASCII codes, the rest above
 /// those.
@@ -117,10 +115,10 @@ class OsmesaWindow final : public OffscreenWindow {
   bool should_close() const override { return closed_; }
   void close() override { closed_ = true; }
 
-  void wake() override {
+  void wake(int frames) override {
     {
       const std::lock_guard lock(mutex_);
-      woken_ = true;
+      woken_ = std::max(woken_, frames);
     }
     wakened_.notify_one();
   }
@@ -178,8 +176,8 @@ class OsmesaWindow final : public OffscreenWindow {
 
   void sleep(double seconds) {
     std::unique_lock lock(mutex_);
-    wakened_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return woken_; });
-    if (std::exchange(woken_, false)) settling_ = kSettlingFrames;
+    wakened_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return woken_ > 0; });
+    settling_ = std::max(settling_, std::exchange(woken_, 0) - 1);
   }
 
   OsmesaContext target_;
@@ -192,7 +190,7 @@ class OsmesaWindow final : public OffscreenWindow {
   int settling_ = 0;
   std::mutex mutex_;
   std::condition_variable wakened_;
-  bool woken_ = false;  ///< guarded by mutex_
+  int woken_ = 0;  ///< frames that were asked for; guarded by mutex_
 };
 
 }  // namespace

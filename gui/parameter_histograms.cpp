@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace patina {
 
-ParameterHistograms::ParameterHistograms(const ParameterTable& table, std::vector<PlotRange> ranges)
-    : ranges_(std::move(ranges)), bins_(table.continuous.size(), std::vector<std::uint32_t>(kBins)) {
-  assert(ranges_.size() == bins_.size());
+ParameterHistograms::ParameterHistograms(const ParameterTable& table, const std::vector<PlotRange>& ranges) {
+  assert(ranges.size() == table.continuous.size());
+  for (const PlotRange& range : ranges) continuous_.emplace_back(range, kBins);
   for (const DiscreteParameter& parameter : table.discrete) levels_.emplace_back(parameter.levels.size());
 }
 
@@ -22,11 +21,10 @@ bool ParameterHistograms::follow(const DrawColumns& draws, std::size_t most) {
 
 void ParameterHistograms::add(const DrawColumns& draws, std::size_t draw) {
   ++total_;
-  for (std::size_t i = 0; i < bins_.size(); ++i) {
+  for (std::size_t i = 0; i < continuous_.size(); ++i) {
+    const auto& [low, high] = continuous_[i].range();
     const double value = draws.place({PlotAxis::Kind::continuous, i}, draw);
-    const double share = (value - ranges_[i].low) / ranges_[i].span();
-    if (!std::isfinite(share)) continue;
-    ++bins_[i][static_cast<std::size_t>(std::clamp(share * kBins, 0.0, kBins - 1.0))];
+    if (std::isfinite(value)) continuous_[i].add(std::clamp(value, low, std::nextafter(high, low)), false);
   }
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     // A level's place is scattered by less than a half about its index.

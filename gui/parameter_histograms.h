@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gui/draw_columns.h"
+#include "gui/histogram.h"
 
 namespace patina {
 
@@ -14,21 +15,23 @@ class ParameterHistograms {
   static constexpr int kBins = 48;  ///< of a continuous parameter
 
   /// @param ranges  of the continuous parameters; draws beyond them count at the ends
-  explicit ParameterHistograms(const ParameterTable& table = {}, std::vector<PlotRange> ranges = {});
+  explicit ParameterHistograms(const ParameterTable& table = {}, const std::vector<PlotRange>& ranges = {});
 
   /// Takes in draws that it has not seen, in their order. @param most  at once
   /// @return whether it has seen all
   bool follow(const DrawColumns& draws, std::size_t most);
 
   std::uint64_t total() const { return total_; }  ///< draws that count
-  const std::vector<std::uint32_t>& continuous(std::size_t parameter) const { return bins_[parameter]; }
+  const std::vector<std::uint32_t>& continuous(std::size_t parameter) const {
+    return continuous_[parameter].counts();
+  }
   const std::vector<std::uint32_t>& discrete(std::size_t parameter) const { return levels_[parameter]; }
 
  private:
   void add(const DrawColumns& draws, std::size_t draw);
 
-  std::vector<PlotRange> ranges_;
-  std::vector<std::vector<std::uint32_t>> bins_, levels_;
+  std::vector<Histogram> continuous_;
+  std::vector<std::vector<std::uint32_t>> levels_;
   std::size_t seen_ = 0;
   std::uint64_t total_ = 0;
 };

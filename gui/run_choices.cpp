@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/registry.h"
 #include "gui/words.h"
 
 namespace patina {
 namespace {
+
+constexpr double kEdge = 1e-3;  // of a prior's range
 
 /// @throws UserError unless it is a distribution that lies about its range
 void check_prior(const std::string& name, const TruncatedNormal& prior) {
@@ -29,7 +32,8 @@ void check_prior(const std::string& name, const TruncatedNormal& prior) {
 RunChoices::RunChoices(RunSettings settings) : history_({std::move(settings), std::nullopt}) { refresh(); }
 
 void RunChoices::refresh() {
-  if (material_.material != settings().material) material_ = material_table(settings().material);
+  if (file_.material != settings().material) file_ = material_table(settings().material);
+  material_ = table_under(file_, settings().capture);
   table_ = material_;
   for (const auto& [name, prior] : settings().priors)
     if (const auto index = table_.find_continuous(name)) table_.continuous[*index].prior = prior;
@@ -67,6 +71,16 @@ void RunChoices::set_capture(const Capture& capture, bool new_gesture) {
   change(std::move(changed), new_gesture);
 }
 
+void RunChoices::set_stop_rules(const StopRules& rules) {
+  if (!(rules.minutes >= 0) || !(rules.ess >= 0) || !(rules.rhat >= 0))
+    throw UserError("When a run ends is told by numbers from 0 up; 0 asks for nothing.");
+  if (rules.rhat > 0 && rules.rhat <= 1)
+    throw UserError("R-hat never falls to 1: ask for 1.01, or for 0 to leave it out.");
+  RunSettings changed = settings();
+  changed.stop = rules;
+  change(std::move(changed), true);
+}
+
 void RunChoices::set_crop(const PhotoCrop& crop, const Capture& capture) {
   RunSettings changed = settings();
   changed.capture = capture;
@@ -79,15 +93,21 @@ void RunChoices::begin_photo(const Capture& capture) {
   history_ = History<State>({std::move(changed), std::nullopt});
 }
 
-void RunChoices::lock(const std::string& name, double value) {
-  RunSettings changed = settings();
+void RunChoices::hold_in(RunSettings& settings, const std::string& name, double value) const {
   if (const auto index = table_.find_continuous(name)) {
     const TruncatedNormal& prior = table_.continuous[*index].prior;
-    changed.fixed[name] = std::clamp(value, prior.low, prior.high);
+    settings.fixed[name] = std::clamp(value, prior.low, prior.high);
   } else if (const auto choice = table_.find_discrete(name)) {
     const auto last = static_cast<double>(table_.discrete[*choice].levels.size() - 1);
-    changed.fixed[name] = std::clamp(std::round(value), 0.0, last);
+    settings.fixed[name] = std::clamp(std::round(value), 0.0, last);
   }
+}
+
+void RunChoices::lock(const std::string& name, double value) { hold({{name, value}}); }
+
+void RunChoices::hold(const std::map<std::string, double>& values) {
+  RunSettings changed = settings();
+  for (const auto& [name, value] : values) hold_in(changed, name, value);
   change(std::move(changed), true);
 }
 
@@ -125,6 +145,22 @@ ParameterValues RunChoices::typical() const {
     if (const auto choice = table_.find_discrete(name)) values.discrete[*choice] = static_cast<int>(value);
   }
   return values;
+}
+
+RunSettings RunChoices::started_at(const ParameterValues& values) const {
+  RunSettings started = settings();
+  started.start = "values";
+  started.start_at.clear();
+  for (std::size_t i = 0; i < table_.continuous.size(); ++i) {
+    const TruncatedNormal& prior = table_.continuous[i].prior;
+    // At the very ends a chain's own coordinates are infinite.
+    const double edge = kEdge * (prior.high - prior.low);
+    started.start_at[table_.continuous[i].name] =
+        std::clamp(values.continuous[i], prior.low + edge, prior.high - edge);
+  }
+  for (std::size_t i = 0; i < table_.discrete.size(); ++i)
+    started.start_at[table_.discrete[i].name] = values.discrete[i];
+  return started;
 }
 
 bool RunChoices::undo() {

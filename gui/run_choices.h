@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,7 @@ class RunChoices {
   const RunSettings& settings() const { return history_.now().settings; }
   /// The part of the photo; none: the central square.
   const std::optional<PhotoCrop>& crop() const { return history_.now().crop; }
-  /// The chosen material's parameters, as the material has them and with the chosen priors.
+  /// The chosen material's parameters, with its own priors for the chosen geometry and with the chosen ones.
   const ParameterTable& material() const { return material_; }
   const ParameterTable& table() const { return table_; }
 
@@ -27,6 +28,8 @@ class RunChoices {
 
   void set_material(const std::string& name);  ///< @throws UserError; locks and priors go
   void set_size_cm(double size_cm);            ///< keeps the field of view
+  /// @throws UserError for rules that no run can reach (a sentence that says why)
+  void set_stop_rules(const StopRules& rules);
   void set_capture(const Capture& capture, bool new_gesture = true);
   /// Another part of the photo, and the geometry that goes with it.
   void set_crop(const PhotoCrop& crop, const Capture& capture);
@@ -37,6 +40,8 @@ class RunChoices {
   /// it go. Unknown names are passed over.
   void lock(const std::string& name, double value);
   void unlock(const std::string& name);
+  /// As lock(), several as one step.
+  void hold(const std::map<std::string, double>& values);
   bool locked(const std::string& name) const { return settings().fixed.contains(name); }
 
   /// Replaces a continuous parameter's prior; its range is cut to the material's own.
@@ -50,6 +55,10 @@ class RunChoices {
   bool undo();
   bool redo();
 
+  /// The settings of a run whose chains all begin at these values, moved inside the chosen priors' ranges.
+  /// @param values  in the order of table()
+  RunSettings started_at(const ParameterValues& values) const;
+
   /// Whether a run with these settings infers something else than one with the choices: another material or
   /// geometry, other priors or locks.
   bool differ_from(const RunSettings& run) const;
@@ -61,11 +70,12 @@ class RunChoices {
     bool operator==(const State&) const = default;
   };
 
+  void hold_in(RunSettings& settings, const std::string& name, double value) const;
   void change(RunSettings settings, bool new_gesture);
   void refresh();
 
   History<State> history_;
-  ParameterTable material_, table_;
+  ParameterTable file_, material_, table_;
 };
 
 }  // namespace patina

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "engine/run/run.h"
+#include "gui/background_source.h"
+#include "gui/material_finder.h"
 
 namespace patina {
 
@@ -15,7 +17,10 @@ struct RunFactory {
       const RunSettings&, const Photo&, const std::filesystem::path& directory, std::function<void()> wake)>
       start = start_run;
   decltype(start) resume = resume_run;
-  std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory)> open = open_run;
+  std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory,
+                                            std::function<void()> wake)>
+      open = open_in_background;
+  MaterialFinder::Rank rank = rank_materials;
 };
 
 /// Where runs started in the window are kept: $XDG_DATA_HOME/patina/runs, or ~/.local/share/patina/runs.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "gui/photo_loader.h"
+#include "engine/run/ranking_json.h"
 #include "gui/words.h"
 
 namespace patina {
@@ -25,16 +25,19 @@ Capture capture_of(const Photo& photo, double size_cm) {
 }  // namespace
 
 Session::Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake)
-    : factory_(std::move(factory)), runs_(std::move(runs)), wake_(std::move(wake)) {}
+    : factory_(std::move(factory)),
+      runs_(std::move(runs)),
+      wake_(std::move(wake)),
+      finder_(factory_.rank, wake_) {}
 
 Session::~Session() = default;
 
 void Session::open(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    open_run_directory(path);
+    open_run(run_opener()(path));
   } else {
-    open_photo(load_photo(path, {std::nullopt, PhotoLoader::kWholeSide}), path);
+    open_photo(load_photo(path, {std::nullopt, kWholeSide}), path);
   }
 }
 
@@ -48,12 +51,39 @@ void Session::open_photo(Photo photo, const std::filesystem::path& file) {
   choices_.begin_photo(capture_of(photo, settings().capture.size_cm));
   photo_ = std::move(photo);
   photo_file_ = file;
-  ++photo_version_;
+  another_photo();
 }
 
 void Session::recrop(Photo photo) {
   photo_ = std::move(photo);
+  another_photo();
+}
+
+void Session::another_photo() {
   ++photo_version_;
+  finder_.cancel();
+}
+
+void Session::find_material() {
+  assert(has_photo() && photo_is_current());
+  const RankSettings asked = first_cut(settings(), settings().capture);
+  asked_ = {{}, photo_version_, asked.capture};
+  finder_.start(std::make_shared<const Image>(photo_->image), asked);
+}
+
+void Session::take_in_ranking() {
+  auto ranking = finder_.take();
+  if (!ranking || ranking->materials.empty()) return;
+  asked_.ranking = std::move(*ranking);
+  hint_ = asked_;
+  ++hint_version_;
+  choices_.set_material(hint_->ranking.materials.front().material);
+}
+
+const MaterialRanking* Session::hint() const {
+  const bool of_this =
+      hint_ && hint_->photo_version == photo_version_ && hint_->capture == settings().capture;
+  return of_this ? &hint_->ranking : nullptr;
 }
 
 PhotoCrop Session::chosen_crop() const {
@@ -71,8 +101,15 @@ bool Session::choices_wait() const {
   return source_ && (other_crop || choices_.differ_from(source_->settings()));
 }
 
-void Session::open_run_directory(const std::filesystem::path& directory) {
-  std::unique_ptr<DrawSource> source = factory_.open(directory);
+std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory)> Session::run_opener()
+    const {
+  return [open = factory_.open, wake = wake_](const std::filesystem::path& directory) {
+    return open(directory, wake);
+  };
+}
+
+void Session::open_run(std::unique_ptr<DrawSource> source) {
+  const std::filesystem::path directory = source->directory();
   RunChoices choices(source->settings());
   Photo photo;
   photo.image = source->photo();
@@ -83,20 +120,56 @@ void Session::open_run_directory(const std::filesystem::path& directory) {
   adopt(std::move(source));
   photo_ = std::move(photo);
   photo_file_ = std::filesystem::absolute(directory / kRunPhoto).lexically_normal();
-  ++photo_version_;
+  another_photo();
   choices_ = std::move(choices);
 }
 
-void Session::start() {
+void Session::start() { start(settings()); }
+
+void Session::start_at(const ParameterValues& values) { start(choices_.started_at(values)); }
+
+void Session::hold_and_go_on(const std::map<std::string, double>& values) {
+  assert(run_is_of_choice());
+  const auto best = model_.best();
+  const bool searched = status_.best && !(best && model_.draws().lp(*best) > status_.best_lp);
+  choices_.hold(values);
+  if (searched)
+    start_at(*status_.best);
+  else if (best)
+    start_at(model_.draws().values(*best));
+  else
+    start();
+}
+
+void Session::start(const RunSettings& settings) {
   if (!photo_) throw UserError("There is no photo yet: drop one on the window, or open one.");
   if (!photo_is_current())
     throw UserError("The part of the photo that you chose is still being read: start again in a moment.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
   const auto photo = std::make_shared<const Photo>(*photo_);
-  adopt(factory_.start(settings(), *photo, fresh_run_directory(runs_, photo_name(), settings().material),
-                       wake_));
-  run_photo_ = photo;
+  adopt(factory_.start(settings, *photo, fresh_run_directory(runs_, photo_name(), settings.material), wake_));
+  begin_sitting(photo);
+  keep_hint();
+}
+
+void Session::keep_hint() const {
+  if (hint() == nullptr) return;
+  try {
+    write_ranking(source_->directory(), *hint());
+  } catch (const UserError&) {
+    // The run has begun, and no draw depends on it.
+  }
+}
+
+void Session::begin_sitting(std::shared_ptr<const Photo> photo) {
+  run_photo_ = std::move(photo);
+  begun_ = std::chrono::steady_clock::now();
+}
+
+std::optional<double> Session::seconds_spent() const {
+  if (!run_photo_) return std::nullopt;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
 }
 
 void Session::let_run_go() {
@@ -109,6 +182,7 @@ void Session::let_run_go() {
   kept_stars_.clear();
   status_ = RunStatus();
   summary_.reset();
+  advice_.clear();
   run_photo_.reset();
   readable_ = true;
   ++run_version_;
@@ -166,21 +240,25 @@ void Session::go_on() {
   settings.stop.ess = settings.stop.rhat = 0;
   const auto photo = run_photo_;
   adopt(factory_.resume(settings, *photo, source_->directory(), wake_));
-  run_photo_ = photo;
+  begin_sitting(photo);
 }
 
 void Session::poll() {
+  take_in_ranking();
   if (!source_ || !readable_) return;
   try {
-    status_ = source_->status();
     std::vector<Draw> draws = source_->take_draws();
+    status_ = source_->status();
     model_.append(draws);
     summary_worker_->add(std::move(draws));
   } catch (...) {
     readable_ = false;
     throw;
   }
-  if (auto summary = summary_worker_->take()) summary_ = std::move(summary);
+  if (auto live = summary_worker_->take()) {
+    summary_ = std::move(live->summary);
+    advice_ = std::move(live->advice);
+  }
 }
 
 bool Session::is_live() const { return source_ && readable_ && !is_over(status_.phase); }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +12,7 @@
 #include "engine/io/photo.h"
 #include "engine/run/draw_source.h"
 #include "gui/explorer_model.h"
+#include "gui/material_finder.h"
 #include "gui/run_choices.h"
 #include "gui/run_factory.h"
 #include "gui/summary_worker.h"
@@ -20,6 +23,8 @@ namespace patina {
 /// No ImGui, no GL; used from the window's thread. Where a function throws, everything is as it was before.
 class Session {
  public:
+  static constexpr int kWholeSide = 1024;  ///< pixels of the longer side of a photo that is shown whole
+
   /// @param runs  folder in which start() makes run directories
   /// @param wake  called from other threads when poll() would find something new
   Session(RunFactory factory, std::filesystem::path runs, std::function<void()> wake);
@@ -29,8 +34,11 @@ class Session {
   /// @throws UserError
   void open(const std::filesystem::path& path);
 
-  /// Opens a photo that was read, in place of all that is open.
+  /// Opens a photo that was read, or a run of which the directory was, in place of all that is open.
   void open_photo(Photo photo, const std::filesystem::path& file);
+  void open_run(std::unique_ptr<DrawSource> run);
+  /// What opens a run directory for open_run(), from any thread. @throws UserError
+  std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory)> run_opener() const;
   /// Takes in another part of the photo that is open; the run stays.
   void recrop(Photo photo);
 
@@ -51,6 +59,14 @@ class Session {
   const RunChoices& choices() const { return choices_; }
   const RunSettings& settings() const { return choices_.settings(); }
 
+  /// Begins to find out which material the photo shows; there is a photo, and it is current. Once that is
+  /// known, the material is chosen, and hint() tells why.
+  void find_material();
+  MaterialFinder& finder() { return finder_; }
+  /// How likely all materials are for this photo at its size; null: not looked for.
+  const MaterialRanking* hint() const;
+  int hint_version() const { return hint_version_; }  ///< grows with every one that was found
+
   /// Whether the run that is open does not infer what is chosen now: the choices wait for the next one.
   bool choices_wait() const;
   /// Whether the run that is open is of the material that is chosen.
@@ -59,6 +75,13 @@ class Session {
   /// Starts a run on the photo in a fresh directory; the run that was open is let go.
   /// @throws UserError if there is no photo or the run cannot start
   void start();
+  /// Likewise, every chain from these values of the chosen material, held to what is assumed of them now.
+  void start_at(const ParameterValues& values);
+  /// Holds what the open run's draws leave open, and starts anew at its best match.
+  void hold_and_go_on(const std::map<std::string, double>& values);
+
+  /// Closes the run that is open; its photo stays.
+  void close_run() { let_run_go(); }
 
   bool has_run() const { return source_ != nullptr; }
   const DrawSource& run() const { return *source_; }
@@ -66,6 +89,8 @@ class Session {
   void pause();
   void resume();
   void stop();
+  /// Since the run was started or continued here; none for one that was read from its directory.
+  std::optional<double> seconds_spent() const;
 
   /// Whether there is a run of this window that ended and can be gone on with.
   bool can_go_on() const;
@@ -86,29 +111,46 @@ class Session {
   ExplorerModel& model() { return model_; }
   const ExplorerModel& model() const { return model_; }
   const RunStatus& status() const { return status_; }
-  const std::optional<RunSummary>& summary() const { return summary_; }  ///< of the draws after warm-up
+  const std::optional<RunSummary>& summary() const { return summary_; }   ///< of the draws after warm-up
+  const std::vector<ParameterAdvice>& advice() const { return advice_; }  ///< what these say of the next run
 
  private:
-  void open_run_directory(const std::filesystem::path& directory);
+  void start(const RunSettings& settings);
   void let_run_go();
+  void begin_sitting(std::shared_ptr<const Photo> photo);
   void adopt(std::unique_ptr<DrawSource> source);
   void load_stars();
+  void another_photo();
+  void take_in_ranking();
+  void keep_hint() const;  ///< with the run that was started
 
   RunFactory factory_;
   std::filesystem::path runs_;
   std::function<void()> wake_;
   std::optional<Photo> photo_;
   std::filesystem::path photo_file_;
-  std::shared_ptr<const Photo> run_photo_;  ///< of the run that was started here
+  std::shared_ptr<const Photo> run_photo_;       ///< of the run that was started here
+  std::chrono::steady_clock::time_point begun_;  ///< its sitting
   RunChoices choices_;
   ExplorerModel model_;
   RunStatus status_;
   std::optional<RunSummary> summary_;
+  std::vector<ParameterAdvice> advice_;
+  /// A ranking, and what it was made of.
+  struct Hint {
+    MaterialRanking ranking;
+    int photo_version = 0;
+    Capture capture;
+  };
+  std::optional<Hint> hint_;
+  int hint_version_ = 0;
+  Hint asked_;                    ///< what the finder looks at
   std::vector<Star> kept_stars_;  ///< as the run directory has them
   std::string stars_problem_;     ///< why they could not be read
   bool readable_ = true;
   int photo_version_ = 0;
   int run_version_ = 0;
+  MaterialFinder finder_;
   std::future<void> leaving_;  ///< the end of the run before: a sampler may take an evaluation to stop
   std::unique_ptr<DrawSource> source_;
   std::unique_ptr<SummaryWorker> summary_worker_;

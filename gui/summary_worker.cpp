@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "engine/error.h"
+#include "engine/material/off_values.h"
 #include "engine/run/running_summary.h"
 
 namespace patina {
@@ -46,6 +48,15 @@ class ThinnedDraws {
   std::int64_t every_ = 1;
 };
 
+/// Without the material's file nothing is known to be absent anywhere, and the rest goes on.
+std::map<std::string, double> absent_at(const std::string& material) {
+  try {
+    return off_values(material);
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 struct SummaryWorker::State {
@@ -54,7 +65,7 @@ struct SummaryWorker::State {
   std::mutex mutex;
   std::condition_variable_any arrived;
   std::vector<Draw> inbox;
-  std::optional<RunSummary> outbox;
+  std::optional<LiveSummary> outbox;
   std::jthread thread;  // last: joins before what it uses goes
 
   std::vector<Draw> wait_for_draws(const std::stop_token& stop) {
@@ -68,7 +79,7 @@ struct SummaryWorker::State {
     arrived.wait_for(lock, stop, duration, [] { return false; });
   }
 
-  void publish(RunSummary summary) {
+  void publish(LiveSummary summary) {
     {
       const std::lock_guard lock(mutex);
       outbox = std::move(summary);
@@ -79,7 +90,8 @@ struct SummaryWorker::State {
   void work(const std::stop_token& stop) {
     ThinnedDraws kept;
     RunningSummary running(table);
-    RunSummary summary;  // of the draws that were kept
+    const std::map<std::string, double> off = absent_at(table.material);
+    LiveSummary live;  // of the draws that were kept
     auto next_exact = Clock::now();
     while (!stop.stop_requested()) {
       std::vector<Draw> fresh = wait_for_draws(stop);
@@ -88,13 +100,13 @@ struct SummaryWorker::State {
       if (kept.draws().empty()) continue;
       auto start = Clock::now();
       if (start >= next_exact) {
-        summary = summarize_draws(table, kept.draws());
+        live = {summarize_draws(table, kept.draws()), advise(table, kept.draws(), off)};
         const auto end = Clock::now();
         next_exact = end + rest_after(end - start, kLeastIntervalOfExactFigures);
         start = end;
       }
-      if (!kept.are_all()) running.update(summary);
-      publish(summary);
+      if (!kept.are_all()) running.update(live.summary);
+      publish(live);
       const auto end = Clock::now();
       sleep(stop, kept.are_all() ? next_exact - end : rest_after(end - start, kLeastInterval));
     }
@@ -120,7 +132,7 @@ void SummaryWorker::add(std::vector<Draw> draws) {
   state_->arrived.notify_one();
 }
 
-std::optional<RunSummary> SummaryWorker::take() {
+std::optional<LiveSummary> SummaryWorker::take() {
   const std::lock_guard lock(state_->mutex);
   return std::exchange(state_->outbox, std::nullopt);
 }

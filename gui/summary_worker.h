@@ -5,10 +5,17 @@
 #include <optional>
 #include <vector>
 
+#include "engine/run/advice.h"
 #include "engine/run/draw.h"
 #include "engine/run/summarize.h"
 
 namespace patina {
+
+/// What the draws after warm-up say.
+struct LiveSummary {
+  RunSummary summary;
+  std::vector<ParameterAdvice> advice;  ///< as exact as quantiles are
+};
 
 /// Keeps R-hat, ESS and moments up to date on a thread of its own, for about a tenth of a core. Up to
 /// kMaxDraws draws after warm-up all figures are exact, about once a second or as often as that share allows.
@@ -24,7 +31,7 @@ class SummaryWorker {
   ~SummaryWorker();
 
   void add(std::vector<Draw> draws);  ///< returns at once
-  std::optional<RunSummary> take();   ///< the newest summary, once
+  std::optional<LiveSummary> take();  ///< the newest summary, once
 
  private:
   struct State;

@@ -8,7 +8,7 @@ namespace patina::theme {
 namespace {
 
 /// As Dear ImGui's own style, the program has one at a time; the window's thread alone looks at it.
-Theme in_force = Theme::dark;
+Theme applied = Theme::dark;
 
 constexpr Role kPopup{IM_COL32(42, 44, 46, 255), IM_COL32(244, 245, 245, 255)};
 constexpr Role kFrame{IM_COL32(48, 50, 53, 255), IM_COL32(212, 214, 216, 255)};
@@ -80,11 +80,14 @@ ImU32 oklab_color(double lightness, double a, double b) {
 
 constexpr std::size_t kRampColors = 256;
 
-std::array<ImU32, kRampColors> make_ramp() {
-  std::array<ImU32, kRampColors> ramp{};
+using Ramp = std::array<ImU32, kRampColors>;
+
+/// @param low, high  Oklab lightness of its dark blue and its yellow end
+Ramp make_ramp(double low, double high) {
+  Ramp ramp{};
   for (std::size_t i = 0; i < kRampColors; ++i) {
     const double t = static_cast<double>(i) / (kRampColors - 1);
-    const double lightness = std::lerp(0.42, 0.96, t), hue = std::lerp(4.6, 1.85, t), chroma = 0.115;
+    const double lightness = std::lerp(low, high, t), hue = std::lerp(4.6, 1.85, t), chroma = 0.115;
     ramp[i] = oklab_color(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
   }
   return ramp;
@@ -93,12 +96,15 @@ std::array<ImU32, kRampColors> make_ramp() {
 }  // namespace
 
 ImU32 ramp_color(double t) {
-  static const std::array<ImU32, kRampColors> kRamp = make_ramp();
-  if (!(t > 0)) return kRamp.front();
-  return kRamp[static_cast<std::size_t>(std::lround(std::min(t, 1.0) * (kRampColors - 1)))];
+  static const Ramp kOnDark = make_ramp(0.42, 0.96), kOnLight = make_ramp(0.30, 0.82);
+  const double place = t > 0 ? std::min(t, 1.0) : 0;
+  const auto index = static_cast<std::size_t>(std::lround(place * (kRampColors - 1)));
+  return applied == Theme::dark ? kOnDark[index] : kOnLight[kRampColors - 1 - index];
 }
 
-Role::operator ImU32() const { return in_force == Theme::dark ? dark_ : light_; }
+Theme in_force() { return applied; }
+
+Role::operator ImU32() const { return applied == Theme::dark ? dark_ : light_; }
 
 ImU32 chain_color(int chain) {
   static constexpr std::array kColors{Role{IM_COL32(86, 180, 233, 255), IM_COL32(0, 114, 178, 255)},
@@ -113,7 +119,7 @@ ImU32 chain_color(int chain) {
 }
 
 void apply(float font_size, Theme theme) {
-  in_force = theme;
+  applied = theme;
   ImGuiStyle& style = ImGui::GetStyle();
   apply_spacing(style, font_size);
   apply_colors(style);

@@ -37,9 +37,12 @@ inline constexpr Role kBanner{IM_COL32(52, 47, 44, 255), IM_COL32(255, 246, 236,
 /// ground).
 ImU32 chain_color(int chain);
 
-/// Low to high, t from 0 to 1, as a colour: from deep blue over green to pale yellow, lightness linear in t,
-/// so that it reads the same to colour-blind eyes (a path through Oklab, Ottosson 2020).
+/// Low to high, t from 0 to 1, as a colour: from deep blue over green to pale yellow, on a light ground the
+/// other way and darker. Lightness is linear in t, so that it reads the same to colour-blind eyes (a path
+/// through Oklab, Ottosson 2020).
 ImU32 ramp_color(double t);
+
+Theme in_force();
 
 /// Sets Dear ImGui's colours and spacing. @param font_size pixels; all spacing grows with it
 void apply(float font_size, Theme theme = Theme::dark);

@@ -13,6 +13,9 @@ namespace patina {
 /// the thread that made it.
 class Window {
  public:
+  /// Dear ImGui answers some input, and lays out what is new, a frame or two later.
+  static constexpr int kSettlingFrames = 3;
+
   virtual ~Window() = default;
 
   virtual const Gl& gl() const = 0;
@@ -23,8 +26,8 @@ class Window {
   virtual float pixel_density() const = 0;
 
   /// Sleeps until something happens or `timeout_seconds` have passed, then feeds ImGui's input and begins its
-  /// frame (ImGui::NewFrame included). After input or a wake() the next few frames follow without sleep, so
-  /// that what input stirs up settles.
+  /// frame (ImGui::NewFrame included). After input the next few frames follow without sleep, so that what
+  /// input stirs up settles.
   virtual void begin_frame(double timeout_seconds) = 0;
   /// Draws what has been laid out since (ImGui::Render included) and shows it.
   virtual void end_frame() = 0;
@@ -33,7 +36,8 @@ class Window {
   virtual void close() = 0;  ///< asks it to close
 
   /// Ends the sleep of begin_frame(). From any thread.
-  virtual void wake() = 0;
+  /// @param frames  to be drawn without sleep in between; one is enough for what changes no panel's layout
+  virtual void wake(int frames = kSettlingFrames) = 0;
 
   /// Files dropped since the last call.
   virtual std::vector<std::filesystem::path> take_dropped_files() = 0;

@@ -54,6 +54,11 @@ std::string parameter_label(std::string_view name) {
 std::string capitalised(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '_', ' ');
+  return sentence(text);
+}
+
+std::string sentence(std::string_view clause) {
+  std::string text(clause);
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }

@@ -14,6 +14,9 @@ std::string parameter_label(std::string_view name);
 /// A material's or level's name for the eye: capitalised, spaces for underscores.
 std::string capitalised(std::string_view name);
 
+/// A clause as a sentence begins: its first letter capital, the rest as it is.
+std::string sentence(std::string_view clause);
+
 /// A number with so many significant digits, without an exponent where it reads well; a dash if it is not
 /// finite.
 std::string number_text(double value, int significant = 3);

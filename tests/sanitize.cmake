@@ -20,7 +20,7 @@ function(patina_sanitized_test part sanitizer)
     set(environment TSAN_OPTIONS=ignore_noninstrumented_modules=1)
   endif()
   add_executable(test-${name} ${TEST_SOURCES})
-  target_compile_options(test-${name} PRIVATE ${flags} -O1 -g)
+  target_compile_options(test-${name} PRIVATE ${flags} -O1 -g -UNDEBUG)
   target_link_options(test-${name} PRIVATE ${flags})
   target_link_libraries(test-${name} PRIVATE ${TEST_LIBRARIES} Threads::Threads GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND test-${name})
@@ -63,4 +63,14 @@ if(PATINA_SANITIZE)
               run/disturbed_chains_test.cpp
       LIBRARIES Eigen3::Eigen lbfgs OpenSSL::Crypto ${TORCH_LIBRARIES} ${CMAKE_DL_LIBS})
   endforeach()
+
+  # The window under random input. The engine below it is as it is.
+  file(GLOB window_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/gui/*.cpp ${CMAKE_SOURCE_DIR}/gui/gl/*.cpp
+       ${CMAKE_SOURCE_DIR}/gui/panels/*.cpp)
+  list(FILTER window_sources EXCLUDE REGEX "gui/(main|glfw_window|explorer|explorer_library)\\.cpp$")
+  patina_sanitized_test(gui address
+    SOURCES ${window_sources} gui/app_random_test.cpp
+    LIBRARIES patina_run patina_material patina_diagnostics patina_io nlohmann_json::nlohmann_json PkgConfig::imgui
+              PkgConfig::freetype2 PkgConfig::osmesa Eigen3::Eigen)
+  target_compile_definitions(test-gui-asan PRIVATE PATINA_VERSION="${PROJECT_VERSION}" PATINA_RANDOM_EVENTS=10000)
 endif()

@@ -13,14 +13,14 @@ constexpr int kBins = 10;
 /// Upper tail of the chi-square law: Q(k / 2, x / 2).
 double chi_square_tail(double x, int degrees) { return Eigen::numext::igammac(0.5 * degrees, 0.5 * x); }
 
-double uniformity_of(const std::vector<double>& places) {
+double chi_square_of(const std::vector<double>& places) {
   std::array<int, kBins> counts{};
   for (const double place : places)
     ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(place * kBins), 0, kBins - 1))];
   const double expected = static_cast<double>(places.size()) / kBins;
   double statistic = 0;
   for (const int count : counts) statistic += (count - expected) * (count - expected) / expected;
-  return chi_square_tail(statistic, kBins - 1);
+  return statistic;
 }
 
 }  // namespace
@@ -43,7 +43,8 @@ Coverage coverage(const std::vector<double>& places) {
     result.share[i] = static_cast<double>(std::ranges::count_if(
                           places, [&](double p) { return std::abs(2 * p - 1) <= kIntervals[i]; })) /
                       result.count;
-  result.uniformity = uniformity_of(places);
+  result.chi_square = chi_square_of(places);
+  result.uniformity = chi_square_tail(result.chi_square, kBins - 1);
   return result;
 }
 

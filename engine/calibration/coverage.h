@@ -21,7 +21,8 @@ double place_among(const Eigen::Ref<const Eigen::MatrixXd>& draws, double truth,
 struct Coverage {
   int count = 0;
   std::array<double, kIntervals.size()> share{};  ///< per interval
-  double uniformity = 1;  ///< p-value of places against the uniform law: Pearson's chi-square, ten bins
+  double chi_square = 0;  ///< Pearson's, of places in ten bins against the uniform law: 9 degrees of freedom
+  double uniformity = 1;  ///< its p-value
 
   /// Binomial standard error of a share, were the interval's promise true.
   double error(std::size_t interval) const;

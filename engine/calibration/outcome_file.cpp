@@ -1,6 +1,7 @@
 #include "engine/calibration/outcome_file.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "engine/chart/table_file.h"
@@ -10,10 +11,11 @@ namespace patina {
 namespace {
 
 constexpr const char* kStudy = "study";
-constexpr std::size_t kOfPhoto = 5, kOfQuantity = 3;  // columns
+constexpr std::size_t kOfPhoto = 7, kOfQuantity = 3;  // columns
 
 std::vector<std::string> columns(const std::vector<std::string>& quantities) {
-  std::vector<std::string> names{"photo", "seconds", "worst_rhat", "least_ess", "distance"};
+  std::vector<std::string> names{"photo",    "seconds",  "worst_rhat", "least_ess",
+                                 "distance", "widening", "simulated"};
   for (const std::string& quantity : quantities)
     for (const char* what : {"_place", "_sd_over_prior_sd", "_rhat"}) names.push_back(quantity + what);
   return names;
@@ -21,7 +23,8 @@ std::vector<std::string> columns(const std::vector<std::string>& quantities) {
 
 std::vector<std::string> row_of(const PhotoOutcome& outcome) {
   std::vector<std::string> row{std::to_string(outcome.photo)};
-  for (const double number : {outcome.seconds, outcome.worst_rhat, outcome.least_ess, outcome.distance})
+  for (const double number : {outcome.seconds, outcome.worst_rhat, outcome.least_ess, outcome.distance,
+                              outcome.widening, outcome.simulated})
     row.push_back(number_text(number));
   for (const TruthAndPosterior& quantity : outcome.quantities)
     for (const double number : {quantity.place, quantity.sd_over_prior_sd, quantity.rhat})
@@ -32,13 +35,36 @@ std::vector<std::string> row_of(const PhotoOutcome& outcome) {
 PhotoOutcome outcome_of(const std::vector<std::string>& row) {
   std::vector<double> numbers;
   for (const std::string& cell : row) numbers.push_back(parse_number(cell));
-  PhotoOutcome outcome{static_cast<int>(numbers[0]), numbers[1], numbers[2], numbers[3], numbers[4], {}};
+  PhotoOutcome outcome{static_cast<int>(numbers[0]),
+                       numbers[1],
+                       numbers[2],
+                       numbers[3],
+                       numbers[4],
+                       numbers[5],
+                       numbers[6],
+                       {}};
   for (std::size_t i = kOfPhoto; i < numbers.size(); i += kOfQuantity)
     outcome.quantities.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   return outcome;
 }
 
+/// The inverse of columns().
+std::vector<std::string> quantities_of(const std::vector<std::string>& columns) {
+  constexpr std::string_view kFirst = "_place";
+  std::vector<std::string> quantities;
+  for (std::size_t i = kOfPhoto; i < columns.size(); i += kOfQuantity)
+    if (columns[i].ends_with(kFirst))
+      quantities.push_back(columns[i].substr(0, columns[i].size() - kFirst.size()));
+  return quantities;
+}
+
 }  // namespace
+
+OutcomeFile OutcomeFile::read(const std::filesystem::path& file) {
+  const auto table = read_table(file);
+  if (!table) throw UserError("There is no " + file.string() + ": make it with 'patina-cli calibrate'.");
+  return {file, table->value(kStudy), quantities_of(table->columns)};
+}
 
 OutcomeFile::OutcomeFile(std::filesystem::path file, std::string study, std::vector<std::string> quantities)
     : file_(std::move(file)), study_(std::move(study)), quantities_(std::move(quantities)) {

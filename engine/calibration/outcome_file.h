@@ -16,6 +16,11 @@ class OutcomeFile {
   /// @throws UserError for a file that is damaged or of another study
   OutcomeFile(std::filesystem::path file, std::string study, std::vector<std::string> quantities);
 
+  /// What a file holds, whatever study that is. @throws UserError for one that is missing or damaged
+  static OutcomeFile read(const std::filesystem::path& file);
+
+  const std::string& study() const { return study_; }
+  const std::vector<std::string>& quantities() const { return quantities_; }
   const std::vector<PhotoOutcome>& outcomes() const { return outcomes_; }
   bool has(int photo) const;
   void add(PhotoOutcome outcome);  ///< and writes. @throws UserError where that fails

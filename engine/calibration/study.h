@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/posterior/calibrate.h"
+#include "engine/posterior/camera.h"
+#include "engine/posterior/irregularity_pool.h"
 #include "engine/posterior/posterior.h"
-#include "engine/posterior/simulation_settings.h"
 
 namespace patina {
 
@@ -14,8 +18,10 @@ namespace patina {
 struct StudySettings {
   PosteriorSettings posterior;  ///< its z_seed is not used: every photo has a run of its own
   bool calibrated = false;      ///< errors: calibrated or, as in the paper, set by hand
-  SimulationSettings simulations;
-  int chains = 4, warmup = 300, draws = 500;
+  CalibrationSettings simulations;
+  double error_scale = 1;  ///< times the sd of calibrated errors: others than 1 must be found out
+  Camera camera;           ///< that takes the photos, and is thought to
+  int chains = 4, warmup = 300, draws = 1000;
   std::uint64_t seed = 1;
 };
 
@@ -29,10 +35,12 @@ struct TruthAndPosterior {
 /// What came of one synthetic photo.
 struct PhotoOutcome {
   int photo = 0;
-  double seconds = 0;
+  double seconds = 0;                         ///< of one core
   double worst_rhat = 0;                      ///< of lp and all continuous parameters
   double least_ess = 0;                       ///< bulk, likewise
   double distance = 0;                        ///< PhotoFit; NaN for hand-set errors
+  double widening = 1;                        ///< likewise
+  double simulated = 0;                       ///< photos, the pilot's left out
   std::vector<TruthAndPosterior> quantities;  ///< lp, then the free continuous parameters
 };
 
@@ -41,8 +49,9 @@ struct PhotoOutcome {
 /// settings and its number only. For several threads.
 class CalibrationStudy {
  public:
+  /// With calibrated errors the pilot's photos are simulated here.
   /// @throws UserError as Posterior does
-  explicit CalibrationStudy(const StudySettings& settings);
+  CalibrationStudy(const StudySettings& settings, int threads, std::function<void()> enter_thread);
 
   /// lp, then the free continuous parameters.
   const std::vector<std::string>& quantities() const { return quantities_; }
@@ -52,6 +61,7 @@ class CalibrationStudy {
  private:
   StudySettings settings_;
   std::shared_ptr<IrregularityPool> pool_;
+  std::optional<Pilot> pilot_;  ///< of calibrated errors
   std::vector<std::string> quantities_;
 };
 

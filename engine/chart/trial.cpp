@@ -94,6 +94,7 @@ class Running {
     settings.metric = metric_kind(setting_.metric);
     settings.metric_worth = 10.0 * static_cast<double>(target.dimension());  // as a run has it
     settings.threads = setting_.chains;
+    settings.noise_repeats = 0;  // they are no part of what a setting costs
     settings.enter_thread = [&] { problem_.use_threads(1); };
     settings.warmed_up = [&](const KernelSettings&) {
       trial_.warmup_seconds = elapsed() - trial_.search_seconds;

@@ -90,8 +90,8 @@ void check_material_argument(const std::string& material) {
   std::string known;
   for (const std::string& name : material_names()) known += (known.empty() ? "" : ", ") + name;
   if (material.empty()) throw UserError("Which material? Add --material NAME: " + known + ".");
-  if (material == "auto")
-    throw UserError("The material cannot be chosen automatically yet: add --material NAME: " + known + ".");
+  if (material == kAutomatic)
+    throw UserError("Only fit chooses the material itself: add --material NAME: " + known + ".");
 }
 
 }  // namespace patina

@@ -41,7 +41,10 @@ struct CaptureArguments {
   std::vector<CLI::Option*> options_;
 };
 
-/// --material. @throws UserError if it is empty or "auto", which is not there yet; says what there is
+/// As --material of fit: the one that a comparison prefers.
+constexpr const char* kAutomatic = "auto";
+
+/// --material. @throws UserError if it is empty or "auto", which fit alone knows; says what there is
 void check_material_argument(const std::string& material);
 
 }  // namespace patina

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -14,9 +15,12 @@
 #include "engine/cli/fit_options.h"
 #include "engine/cli/print.h"
 #include "engine/cli/progress.h"
+#include "engine/cli/ranking_text.h"
 #include "engine/cli/summary_text.h"
 #include "engine/run/manifest_phase.h"
+#include "engine/run/ranking_json.h"
 #include "engine/run/run.h"
+#include "engine/run/run_checks.h"
 
 namespace patina {
 namespace {
@@ -74,14 +78,31 @@ void report(const FitOptions& options, const DrawSource& run, const std::vector<
   }
 }
 
+/// Of all materials, with a line on stderr about each.
+MaterialRanking rank(const FitOptions& options, const Photo& photo) {
+  if (!options.resume) check_holds_no_run(options.out);  // before the wait
+  const MaterialRanking ranking =
+      rank_materials(photo.image, options.rank_settings(), ranking_progress(options.quiet)).value();
+  if (!options.quiet)
+    std::fprintf(stderr, "%s\nfitting %s\n", ranking.sentence.c_str(),
+                 ranking.materials.front().material.c_str());
+  return ranking;
+}
+
 int fit(const FitOptions& options) {
-  const RunSettings settings = options.settings();
+  RunSettings settings = options.settings();
   const Photo photo = load_photo(options.photo, {.crop = options.crop()});
   if (!options.quiet)
     for (const std::string& warning : photo.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  std::optional<MaterialRanking> ranking;
+  if (settings.material == kAutomatic) {
+    ranking = rank(options, photo);
+    settings = options.settings(ranking->materials.front().material);
+  }
   catch_interrupts();
   const auto run =
       options.resume ? resume_run(settings, photo, options.out) : start_run(settings, photo, options.out);
+  if (ranking) write_ranking(options.out, *ranking);
   Progress progress(settings, options.quiet);
   const std::vector<Draw> draws = attend(*run, progress);
   const RunStatus status = run->status();

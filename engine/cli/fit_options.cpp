@@ -3,9 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <type_traits>
 
+#include "engine/error.h"
 #include "engine/io/params_json.h"
+#include "engine/material/capture_priors.h"
+#include "engine/material/off_values.h"
 #include "engine/material/registry.h"
+#include "engine/run/advice.h"
 #include "engine/run/manifest.h"
+#include "engine/run/run.h"
 #include "engine/run/run_files.h"
 
 namespace patina {
@@ -46,19 +51,29 @@ void FitOptions::add_to(CLI::App& command) {
 }
 
 void FitOptions::add_model(CLI::App& command) {
-  add(command, "--material", &RunSettings::material, "The material's name", "NAME");
+  add(command, "--material", &RunSettings::material,
+      "The material's name, or auto: the one that patina-cli compare prefers", "NAME|auto");
   add(command, "--summary", &RunSettings::summary,
       "What renders and photo are compared by: gram, rings, bands, means, or several joined by + "
       "(default: the material's)",
       "NAME");
   add(command, "--network", &RunSettings::network, "Weights of the summary's network (default: bundled)",
       "FILE");
+  add(command, "--errors", &RunSettings::errors,
+      "What renders may be off by: paper (set by hand) or calibrated (learnt from simulated photos, which "
+      "takes "
+      "minutes before the first draw)");
   add(command, "--resolution", &RunSettings::resolution,
       "Pixels a side at which renders are compared with the photo");
   capture_.add_to(command);
   command.add_option("--fix", fixed_, "Hold a parameter at a value (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option("--freeze", freeze_,
+                  "Begin a new run as the one in RUN_DIR was, but hold what its photo does not need or pin "
+                  "down (as summarize advises), and begin at its best match")
+      ->type_name("RUN_DIR");
   command.add_option("--prior", priors_, "Replace a parameter's prior (repeatable)")
       ->type_name("NAME=MEAN,SD,LOW,HIGH")
       ->allow_extra_args(false);
@@ -107,12 +122,12 @@ void FitOptions::add_stop_rules(CLI::App& command) {
 }
 
 void FitOptions::set_start(RunSettings& settings) const {
-  if (start_.empty()) return;
+  if (start_.empty() || settings.material == kAutomatic) return;
   settings.start_at.clear();
   settings.start = start_;
   if (start_ == "map" || start_ == "prior" || start_ == "prior-mean") return;
   settings.start = "values";
-  const ParameterTable table = material_table(settings.material);
+  const ParameterTable table = table_under(material_table(settings.material), settings.capture);
   const ParameterValues values = read_params(start_, table, prior_location(table));
   for (std::size_t i = 0; i < table.continuous.size(); ++i)
     settings.start_at[table.continuous[i].name] = values.continuous[i];
@@ -127,19 +142,48 @@ bool FitOptions::goes_on() const {
 
 std::optional<PhotoCrop> FitOptions::crop() const {
   if (!crop_.empty()) return parse_crop(crop_);
-  return goes_on() ? read_manifest(out).crop : std::nullopt;
+  if (goes_on()) return read_manifest(out).crop;
+  return freeze_.empty() ? std::nullopt : read_manifest(freeze_).crop;
 }
 
-RunSettings FitOptions::settings() const {
+RankSettings FitOptions::rank_settings() const { return first_cut(parsed_, capture_.capture()); }
+
+RunSettings FitOptions::frozen_settings() const {
+  const auto run = open_run(freeze_);
+  RunSettings settings = run->settings();
+  const std::map<std::string, double> frozen =
+      frozen_by(advise(run->table(), run->take_draws(), off_values(settings.material)));
+  if (frozen.empty())
+    throw UserError("The draws in " + freeze_.string() +
+                    " show nothing that could be held without changing the rest: go on with that run.");
+  for (const auto& [name, value] : frozen) settings.fixed[name] = value;
+  const ParameterTable& table = run->table();
+  if (const std::optional<ParameterValues> best = run->status().best) {
+    settings.start = "values";
+    for (std::size_t i = 0; i < table.continuous.size(); ++i)
+      settings.start_at[table.continuous[i].name] = best->continuous[i];
+    for (std::size_t i = 0; i < table.discrete.size(); ++i)
+      settings.start_at[table.discrete[i].name] = best->discrete[i];
+  }
+  return settings;
+}
+
+RunSettings FitOptions::settings(const std::string& chosen) const {
   const bool goes_on = this->goes_on();
-  if (!goes_on) check_material_argument(parsed_.material);
-  RunSettings settings = goes_on ? read_manifest(out).settings : parsed_;
+  const bool freezes = !goes_on && !freeze_.empty();
+  if (!goes_on && !freezes && parsed_.material != kAutomatic) check_material_argument(parsed_.material);
+  RunSettings settings = goes_on ? read_manifest(out).settings : freezes ? frozen_settings() : parsed_;
+  const std::string material = goes_on ? settings.material : chosen;
   for (const auto& copy : given_) copy(settings);
+  if (settings.material == kAutomatic && !material.empty()) settings.material = material;
   settings.map_only = parsed_.map_only;
-  if (!goes_on || capture_.given()) settings.capture = capture_.capture();
+  if (!(goes_on || freezes) || capture_.given()) settings.capture = capture_.capture();
   set_start(settings);
-  if (!fixed_.empty()) settings.fixed.clear();
-  for (const std::string& text : fixed_) settings.fixed.insert(parse_assignment("--fix", text));
+  if (!fixed_.empty() && !freezes) settings.fixed.clear();
+  for (const std::string& text : fixed_) {
+    const auto [name, value] = parse_assignment("--fix", text);
+    settings.fixed.insert_or_assign(name, value);
+  }
   if (!priors_.empty()) settings.priors.clear();
   for (const std::string& text : priors_) settings.priors.insert(parse_prior(text));
   return settings;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/cli/arguments.h"
+#include "engine/run/rank_materials.h"
 #include "engine/run/run_settings.h"
 
 namespace CLI {
@@ -23,7 +24,11 @@ class FitOptions {
 
   /// The run that is asked for: the defaults, or with --resume and a run in --out the settings of that run,
   /// and over them what was given. @throws UserError
-  RunSettings settings() const;
+  /// @param chosen  the material that --material auto came to; without it, that remains the material
+  RunSettings settings(const std::string& chosen = {}) const;
+
+  /// What --material auto ranks materials by.
+  RankSettings rank_settings() const;
 
   /// The part of the photo: the one that was given, or with --resume that of the run.
   std::optional<PhotoCrop> crop() const;
@@ -33,6 +38,8 @@ class FitOptions {
 
  private:
   bool goes_on() const;  ///< with a run that is there
+  /// The settings of the run that --freeze names, with what its photo does not need or pin down held.
+  RunSettings frozen_settings() const;
   template <typename T>
   void add(CLI::App& command, const std::string& names, T RunSettings::*setting, const std::string& help,
            const std::string& type = {});
@@ -45,6 +52,7 @@ class FitOptions {
   RunSettings parsed_;
   CaptureArguments capture_;
   std::string start_, crop_;
+  std::filesystem::path freeze_;  ///< a run directory; empty: not given
   std::vector<std::string> fixed_, priors_;
   std::vector<std::function<void(RunSettings&)>> given_;  ///< each copies one setting if it was given
 };

@@ -37,6 +37,8 @@ int run(int argc, char** argv) {
   add_materials(app, chosen);
   add_chart(app, chosen);
   add_calibrate(app, chosen);
+  add_stress(app, chosen);
+  add_compare(app, chosen);
   try {
     app.parse(argc, argv);
     return chosen();
@@ -44,8 +46,8 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::RequiredError& error) {
     const bool no_command = app.get_subcommands().empty();
-    return refuse(no_command ? "Name a command: fit, render, summarize, export, materials, chart or "
-                               "calibrate (see patina-cli --help)"
+    return refuse(no_command ? "Name a command: fit, compare, render, summarize, export, materials, chart, "
+                               "calibrate or stress (see patina-cli --help)"
                              : with_help(error.what()),
                   kBadInput);
   } catch (const CLI::ParseError& error) {

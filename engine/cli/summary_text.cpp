@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/params_json.h"
+#include "engine/material/off_values.h"
+#include "engine/run/advice.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/verdict.h"
 
@@ -51,6 +53,22 @@ Json chain_json(const ChainSummary& c) {
           {"ebfmi", number(c.ebfmi)}};
 }
 
+Json advice_json(const ParameterAdvice& a) {
+  return {{"name", a.name},
+          {"identified", a.identified},
+          {"redundant_with", a.redundant_with.empty() ? Json(nullptr) : Json(a.redundant_with)},
+          {"off", a.off ? Json{{"value", a.off->value},
+                               {"times_likelier", number(a.off->ratio)},
+                               {"error", number(a.off->error)}}
+                        : Json(nullptr)},
+          {"freeze_at", a.freeze_at ? number(*a.freeze_at) : Json(nullptr)},
+          {"sentence", a.sentence}};
+}
+
+std::vector<ParameterAdvice> advice_of(const DrawSource& run, const std::vector<Draw>& draws) {
+  return advise(run.table(), draws, off_values(run.table().material));
+}
+
 std::int64_t total_draws(const RunSummary& summary) {
   std::int64_t total = 0;
   for (const ChainSummary& chain : summary.chains) total += chain.draws;
@@ -60,6 +78,19 @@ std::int64_t total_draws(const RunSummary& summary) {
 Json map_json(const DrawSource& run, const RunStatus& status) {
   if (!status.best) return nullptr;
   return {{"values", Json::parse(params_to_json(run.table(), *status.best))}, {"lp", number(status.best_lp)}};
+}
+
+/// What the run and its draws say against themselves.
+Alarms all_alarms(const DrawSource& run, const RunSummary& summary) {
+  Alarms alarms = run.status().alarms;
+  alarms.insert(alarms.end(), summary.alarms.begin(), summary.alarms.end());
+  return alarms;
+}
+
+Json alarms_json(const Alarms& alarms) {
+  Json json = Json::array();
+  for (const Alarm& alarm : alarms) json.push_back({{"name", alarm.name}, {"sentence", alarm.sentence}});
+  return json;
 }
 
 /// Four significant digits, right-aligned; a dash where there is no number.
@@ -93,12 +124,14 @@ std::string direction_line(const DirectionSummary& d) {
 Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
   const RunStatus status = run.status();
   const RunSummary summary = summarize_draws(run.table(), draws);
-  Json parameters = Json::object(), directions = Json::array(), chains = Json::array();
+  Json parameters = Json::object(), directions = Json::array(), chains = Json::array(),
+       advice = Json::array();
   for (std::size_t i = 1; i < summary.quantities.size(); ++i)
     parameters[summary.quantities[i].name] = quantity_json(summary.quantities[i]);
   for (const DirectionSummary& direction : summary.directions)
     directions.push_back(direction_json(direction, run.table()));
   for (const ChainSummary& chain : summary.chains) chains.push_back(chain_json(chain));
+  for (const ParameterAdvice& a : advice_of(run, draws)) advice.push_back(advice_json(a));
   return {{"directory", run.directory().string()},
           {"phase", phase_word(status.phase)},
           {"message", status.message},
@@ -109,6 +142,8 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
           {"parameters", parameters},
           {"directions", directions},
           {"verdict", verdict(summary)},
+          {"alarms", alarms_json(all_alarms(run, summary))},
+          {"advice", advice},
           {"chains", chains}};
 }
 
@@ -128,6 +163,9 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
             " draws, acceptance " + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
             " divergences\n";
   text += verdict(summary) + "\n";
+  for (const Alarm& alarm : all_alarms(run, summary)) text += "Mind: " + alarm.sentence + "\n";
+  for (const ParameterAdvice& a : advice_of(run, draws))
+    if (!a.sentence.empty()) text += a.sentence + "\n";
   return text;
 }
 

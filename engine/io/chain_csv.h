@@ -66,7 +66,8 @@ class ChainCsvWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a chain file that may still be growing; each call to read_new() yields the whole lines added since.
+/// Reads a chain file that may still be growing; each call to read_new() yields the whole lines added since,
+/// or so many of them that the rest can wait for the next call.
 class ChainCsvReader {
  public:
   explicit ChainCsvReader(std::filesystem::path file);
@@ -77,8 +78,10 @@ class ChainCsvReader {
     ChainCsvRow row;
     bool warmup = false;
   };
+  /// @param enough  rows after which it stops, or a few hundred later
   /// @throws UserError for a file that is not a chain file (the line and why)
-  std::vector<Row> read_new();
+  std::vector<Row> read_new(std::size_t enough = std::numeric_limits<std::size_t>::max());
+  std::int64_t bytes_read() const;
   const ChainCsvHeader& header() const;  ///< valid once a header line has been read
   bool has_header() const;
   bool closed() const;  ///< it ends with a footer, for now: a writer that goes on takes the footer away

@@ -154,7 +154,7 @@ ChainCsvReader::ChainCsvReader(std::filesystem::path file) : state_(std::make_un
 ChainCsvReader::~ChainCsvReader() = default;
 ChainCsvReader::ChainCsvReader(ChainCsvReader&&) noexcept = default;
 
-std::vector<ChainCsvReader::Row> ChainCsvReader::read_new() {
+std::vector<ChainCsvReader::Row> ChainCsvReader::read_new(std::size_t enough) {
   std::ifstream stream(state_->path, std::ios::binary);
   if (!stream)
     throw UserError("Cannot open the chain file " + state_->path.string() + ": check its permissions.");
@@ -171,11 +171,12 @@ std::vector<ChainCsvReader::Row> ChainCsvReader::read_new() {
     unread.resize(kept + static_cast<std::size_t>(stream.gcount()));
     if (unread.size() == kept) return rows;
     unread.erase(0, state_->read_lines(unread, rows));
-    if (state_->closed) return rows;
+    if (state_->closed || rows.size() >= enough) return rows;
     if (unread.size() > kLongestLine) state_->refuse("it is too long");
   }
 }
 
+std::int64_t ChainCsvReader::bytes_read() const { return state_->offset; }
 const ChainCsvHeader& ChainCsvReader::header() const { return state_->header; }
 bool ChainCsvReader::has_header() const { return state_->has_header; }
 bool ChainCsvReader::closed() const { return state_->closed; }

@@ -23,12 +23,15 @@ struct Parameter {
   std::string unit;         ///< "cm", "cycles/cm", "degrees" or "" for a plain number
   std::string description;  ///< one line
   TruncatedNormal prior;
+  double camera_power = 0;         ///< of the camera's distance, that the prior grows with (capture_priors.h)
+  std::optional<double> off = {};  ///< where what it scales is not there (off_values.h)
   bool jagged = false;  ///< where in a random map: a small step is another surface (LogDensity::jagged)
   bool place = false;   ///< jagged, and all its values are alike but for the irregularities that they show
 };
 
 /// A discrete parameter: a choice among named levels, all equally likely a priori. Every choice of today's
-/// materials is a place, as Parameter has it: one of several maps that are alike but for their irregularities.
+/// materials is a place, as Parameter has it: one of several maps that are alike but for their
+/// irregularities.
 struct DiscreteParameter {
   std::string name;
   std::string description;

@@ -73,6 +73,18 @@ class PriorFile {
     parameter.prior = {prior[0], prior[1], prior[2], prior[3]};
     if (!(parameter.prior.sd > 0) || !(parameter.prior.low < parameter.prior.high))
       refuse("the prior of '" + parameter.name + "' needs an sd above 0 and low below high");
+    if (json.contains("camera_power")) {
+      const Json& power = json["camera_power"];
+      if (!power.is_number() || !(std::abs(power.get<double>()) <= 4))
+        refuse("the camera_power of '" + parameter.name + "' is not a number from -4 to 4");
+      parameter.camera_power = power;
+    }
+    if (json.contains("off")) {
+      const Json& off = json["off"];
+      if (!off.is_number() || off < parameter.prior.low || off > parameter.prior.high)
+        refuse("'off' of '" + parameter.name + "' is not a number in the prior's range");
+      parameter.off = off;
+    }
     return parameter;
   }
 

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "engine/error.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/material.h"
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
@@ -45,13 +46,14 @@ struct Renderer::Parts {
   std::shared_ptr<const Material> material;
   Irregularities z;
   Capture capture;
+  ParameterTable table = table_under(material->table(), capture);
 
   Surface surface(const ParameterValues& values, const Capture& seen, int resolution) const {
     if (resolution < 16 || resolution > 4096)
       throw UserError("Cannot render " + std::to_string(resolution) +
                       " pixels a side: choose a resolution from 16 to 4096.");
-    assert(values.continuous.size() == material->table().continuous.size());
-    assert(values.discrete.size() == material->table().discrete.size());
+    assert(values.continuous.size() == table.continuous.size());
+    assert(values.discrete.size() == table.discrete.size());
     return material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, seen, resolution);
   }
 
@@ -75,7 +77,7 @@ Renderer::Renderer(const std::string& material, std::uint64_t z_seed, Capture ca
 
 Renderer::~Renderer() = default;
 
-const ParameterTable& Renderer::table() const { return parts_->material->table(); }
+const ParameterTable& Renderer::table() const { return parts_->table; }
 
 MaterialMaps Renderer::maps(const ParameterValues& values, int resolution) const {
   return parts_->maps(values, parts_->capture, resolution);

@@ -19,7 +19,7 @@ class Renderer {
   Renderer(const std::string& material, std::uint64_t z_seed, Capture capture);
   ~Renderer();
 
-  const ParameterTable& table() const;
+  const ParameterTable& table() const;  ///< with the priors for this capture
 
   /// The maps alone, as the preview shades them.
   /// @param resolution  pixels a side, 16 to 4096; UserError for any other

@@ -2,26 +2,36 @@
 
 #include <Eigen/Core>
 
+#include "engine/posterior/photo_fit.h"
+#include "engine/posterior/pilot.h"
 #include "engine/posterior/posterior.h"
-#include "engine/posterior/simulation_settings.h"
+#include "engine/posterior/simulate.h"
+#include "engine/posterior/synthetic_likelihood.h"
 
 namespace patina {
 
-/// A posterior whose errors are calibrated, and its mode.
-struct CalibratedPosterior {
-  Posterior posterior;
-  Position mode;
-  Evaluation at_mode;
-  Eigen::MatrixXd covariance;  ///< of Laplace's approximation there
+/// How much is simulated to learn a likelihood.
+struct CalibrationSettings {
+  int pilot = 1000;  ///< photos of the prior, of use to all photos of a material
+  int first = 150;   ///< photos of the first round
+  int later = 300;   ///< of each later one
+  int most_rounds = 4;
 };
 
-/// In rounds: photos are simulated about as far around the mode as the posterior reaches, the likelihood that
-/// they make (synthetic_likelihood.h) moves the mode and narrows the posterior, and so on from there. A
-/// round's photos reach half as far again as the posterior of the round before.
-/// @param mode        of another error model's posterior, discrete levels to stay at
-/// @param covariance  of Laplace's approximation there
-CalibratedPosterior calibrate(const Posterior& posterior, const Position& mode,
-                              const Eigen::MatrixXd& covariance, const SimulationSettings& settings,
-                              IrregularityPool& pool);
+/// A likelihood of simulations around a photo's posterior, and that posterior's normal approximation.
+struct Calibration {
+  SyntheticLikelihood likelihood;
+  PhotoFit fit;
+  Eigen::VectorXd mode;        ///< of all coordinates
+  Eigen::MatrixXd covariance;  ///< of Laplace's approximation there
+  int photos = 0;              ///< that were simulated, the pilot's left out
+};
+
+/// In rounds: photos are simulated about as far as the posterior reaches, by the round before; the likelihood
+/// that they make moves and narrows the posterior; and they say by what scores the next round's are compared,
+/// beside the pilot's. It ends with the second round whose posterior is where, and as wide as, its photos
+/// are.
+/// @param simulator  of the photo's posterior
+Calibration calibrate(const Simulator& simulator, const Pilot& pilot, const CalibrationSettings& settings);
 
 }  // namespace patina

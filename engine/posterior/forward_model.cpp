@@ -1,14 +1,18 @@
 #include "engine/posterior/forward_model.h"
 
 #include <ATen/core/grad_mode.h>
+#include <ATen/ops/clamp.h>
 #include <ATen/ops/from_blob.h>
+#include <ATen/ops/matmul.h>
 #include <ATen/ops/tensor.h>
 
 #include <cassert>
 #include <cstring>
+#include <utility>
 
 #include "engine/io/photo.h"
 #include "engine/material/photograph.h"
+#include "engine/posterior/resampling.h"
 
 namespace patina {
 namespace {
@@ -29,6 +33,16 @@ Image to_image(const at::Tensor& planes) {
 
 }  // namespace
 
+ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
+                           const Capture& capture, int resolution)
+    : material(std::move(material)),
+      summary(std::move(summary)),
+      capture(capture),
+      resolution(resolution),
+      resampling(std::make_shared<const WeightCache>([resolution](std::int64_t side) {
+        return resampling_matrix(static_cast<int>(side), resolution);
+      })) {}
+
 at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
                                            const std::vector<int>& discrete, const Irregularities& z) const {
   const Surface surface = material->surface(parameters, discrete, z, capture, resolution);
@@ -41,8 +55,12 @@ at::Tensor ForwardModel::summary_of_photo(const ParameterValues& values, const I
   const int side = resolution * camera.oversampling;
   const Surface surface =
       material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture, side);
-  return summary_of(
-      photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng));
+  const Image photo =
+      photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);
+  if (side == resolution) return (*summary)(to_tensor(photo));
+  const at::Tensor smaller = resampling->of_side(side);
+  return (*summary)(
+      at::matmul(at::matmul(smaller, to_tensor(photo)), smaller.transpose(0, 1)).clamp(0, 1).contiguous());
 }
 
 at::Tensor ForwardModel::summary_of(const Image& photo) const {

@@ -8,6 +8,7 @@
 #include "engine/material/material.h"
 #include "engine/posterior/camera.h"
 #include "engine/summary/summary.h"
+#include "engine/summary/weight_cache.h"
 
 namespace patina {
 
@@ -16,7 +17,11 @@ struct ForwardModel {
   std::shared_ptr<const Material> material;
   std::shared_ptr<const Summary> summary;
   Capture capture;
-  int resolution = 0;  ///< pixels a side that are compared
+  int resolution = 0;                             ///< pixels a side that are compared
+  std::shared_ptr<const WeightCache> resampling;  ///< by the side of a photo, see resampling_matrix()
+
+  ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
+               const Capture& capture, int resolution);
 
   /// Of the render, with its graph. @return [p] float32
   at::Tensor summary_of_render(const ParameterTensors& parameters, const std::vector<int>& discrete,

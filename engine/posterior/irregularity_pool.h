@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/material/irregularities.h"
+#include "engine/material/parameter.h"
 
 namespace patina {
 
@@ -29,5 +30,9 @@ class IrregularityPool {
   std::mutex mutex_;
   std::vector<std::shared_ptr<const Irregularities>> kept_;
 };
+
+/// For a material that has places few, dealt anew by where their maps are looked at; else as many as are
+/// asked for.
+std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed);
 
 }  // namespace patina

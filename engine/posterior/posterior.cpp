@@ -14,12 +14,13 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/material/capture_priors.h"
 #include "engine/material/material.h"
 #include "engine/material/registry.h"
 #include "engine/posterior/error_model.h"
 #include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
-#include "engine/posterior/simulate.h"
+#include "engine/posterior/synthetic_likelihood.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
@@ -36,23 +37,20 @@ Evaluation outside_support(Eigen::Index dimension) {
 
 }  // namespace
 
-std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed) {
-  constexpr std::size_t kWithPlaces = 8;
-  const bool places = std::ranges::count(table.continuous, true, &Parameter::place) > 0;
-  return std::make_shared<IrregularityPool>(first_seed, places ? kWithPlaces : 0);
-}
-
 struct Posterior::Parts {
+  PosteriorSettings settings;
   ForwardModel model;
   ParameterSpace space;
   std::shared_ptr<const Irregularities> z;
   at::Tensor photo_summary;
   at::Tensor inverse_sigma;
   std::shared_ptr<const SyntheticLikelihood> calibrated;  ///< null: the errors are the hand-set ones
+  std::vector<Eigen::Index> informed;                     ///< coordinates that it is of
 
   Parts(const PosteriorSettings& s, const Image& photo)
-      : model{make_material(s.material), make_summary(s.summary, s.network), s.capture, s.resolution},
-        space(model.material->table(), s.priors, s.fixed),
+      : settings(s),
+        model(make_material(s.material), make_summary(s.summary, s.network), s.capture, s.resolution),
+        space(table_under(model.material->table(), s.capture), s.priors, s.fixed),
         z(std::make_shared<const Irregularities>(s.z_seed)) {
     const int least = model.summary->minimum_resolution();
     if (s.resolution < least)
@@ -69,16 +67,21 @@ struct Posterior::Parts {
 
   /// Under calibrated errors; nothing is rendered.
   Evaluation calibrated_evaluation(const Position& position) const {
-    Evaluation evaluation = calibrated->evaluate(position.continuous);
-    evaluation.log_density -= 0.5 * position.continuous.squaredNorm();
-    evaluation.gradient -= position.continuous;
+    const Evaluation likelihood = calibrated->evaluate(position.continuous(informed));
+    Evaluation evaluation{likelihood.log_density - 0.5 * position.continuous.squaredNorm(),
+                          -position.continuous};
+    evaluation.gradient(informed) += likelihood.gradient;
     return evaluation;
+  }
+
+  /// (render - photo) / sigma, with its graph.
+  at::Tensor residual(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
+    return (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
   }
 
   /// Half the chi-square of the render's summary, a double scalar with its graph.
   at::Tensor misfit(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    const at::Tensor residual = (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
-    return residual.to(at::kDouble).square().sum() * 0.5;
+    return residual(parameters, discrete).to(at::kDouble).square().sum() * 0.5;
   }
 
   /// Parameter values as leaves of a graph; only those whose gradient is wanted ask for one.
@@ -130,6 +133,14 @@ Eigen::VectorXd Posterior::predicted(const Position& position) const {
                    parts_->inverse_sigma);
 }
 
+std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
+  const at::NoGradGuard no_grad;
+  const ParameterValues values = parts_->space.values(position);
+  const PosteriorSettings& s = parts_->settings;
+  return block_misfits(parts_->residual(parts_->leaves(values, false), values.discrete),
+                       parts_->model.summary->blocks(), s.gram_sigma, s.mean_sigma);
+}
+
 Posterior Posterior::given(const Eigen::VectorXd& observed) const {
   if (observed.size() != parts_->photo_summary.numel())
     throw std::invalid_argument("an observation has as many entries as a prediction");
@@ -143,18 +154,34 @@ Posterior Posterior::given(const Eigen::VectorXd& observed) const {
   return Posterior(std::move(parts));
 }
 
-Posterior Posterior::calibrated_around(const Position& centre, const Eigen::MatrixXd& covariance,
-                                       const SimulationSettings& settings, IrregularityPool& pool) const {
-  // What rounding leaves uncertain of a summary, in units of the hand-set errors.
-  constexpr double kFloor = 1e-3;
-  auto parts = std::make_unique<Parts>(*parts_);
-  parts->calibrated = std::make_shared<const SyntheticLikelihood>(
-      simulate(parts->model, parts->space, parts->inverse_sigma, centre, covariance, settings, pool),
-      to_vector(parts->photo_summary * parts->inverse_sigma), kFloor);
-  return Posterior(std::move(parts));
+Eigen::VectorXd Posterior::photo_summary() const { return to_vector(parts_->photo_summary); }
+
+std::vector<bool> Posterior::moments() const {
+  std::vector<bool> moments;
+  for (const SummaryBlock& block : parts_->model.summary->blocks())
+    moments.insert(moments.end(), static_cast<std::size_t>(block.size), block.scale == ErrorScale::relative);
+  return moments;
 }
 
-const PhotoFit* Posterior::fit() const { return parts_->calibrated ? &parts_->calibrated->fit() : nullptr; }
+Eigen::VectorXd Posterior::simulated_summary(const Position& position, const Irregularities& z,
+                                             const Camera& camera, Rng& rng) const {
+  return to_vector(parts_->model.summary_of_photo(values(position), z, camera, rng));
+}
+
+std::vector<Eigen::Index> Posterior::informed() const {
+  std::vector<Eigen::Index> informed;
+  const ParameterSpace& space = parts_->space;
+  for (std::size_t i = 0; i < space.free().size(); ++i)
+    if (!space.table().continuous[space.free()[i]].place) informed.push_back(static_cast<Eigen::Index>(i));
+  return informed;
+}
+
+Posterior Posterior::with(std::shared_ptr<const SyntheticLikelihood> likelihood) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->calibrated = std::move(likelihood);
+  parts->informed = informed();
+  return Posterior(std::move(parts));
+}
 
 Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 

@@ -16,6 +16,12 @@ Eigen::VectorXd QuadraticFeatures::values(const Eigen::VectorXd& v) const {
   return values;
 }
 
+Eigen::MatrixXd QuadraticFeatures::design(const Eigen::MatrixXd& offsets) const {
+  Eigen::MatrixXd design(offsets.cols(), size());
+  for (Eigen::Index i = 0; i < offsets.cols(); ++i) design.row(i) = values(offsets.col(i));
+  return design;
+}
+
 Eigen::MatrixXd QuadraticFeatures::slopes(const Eigen::VectorXd& v) const {
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size(), dimension_);
   slopes.middleRows(1, dimension_).setIdentity();

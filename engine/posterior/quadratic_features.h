@@ -12,7 +12,8 @@ class QuadraticFeatures {
 
   Eigen::Index size() const;
   Eigen::VectorXd values(const Eigen::VectorXd& v) const;
-  Eigen::MatrixXd slopes(const Eigen::VectorXd& v) const;  ///< size() x dimension
+  Eigen::MatrixXd design(const Eigen::MatrixXd& offsets) const;  ///< of the columns, n x size()
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& v) const;        ///< size() x dimension
 
  private:
   Eigen::Index dimension_;

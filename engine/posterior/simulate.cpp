@@ -1,39 +1,42 @@
 #include "engine/posterior/simulate.h"
 
-#include <ATen/TensorOperators.h>
-#include <ATen/core/grad_mode.h>
-
-#include <Eigen/Cholesky>
+#include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
+#include "engine/sampling/rng.h"
 
 namespace patina {
+namespace {
 
-SimulatedPhotos simulate(const ForwardModel& model, const ParameterSpace& space,
-                         const at::Tensor& inverse_sigma, const Position& centre,
-                         const Eigen::MatrixXd& covariance, const SimulationSettings& settings,
-                         IrregularityPool& pool) {
-  const at::NoGradGuard no_grad;
-  SimulatedPhotos simulated{centre.continuous, {}, {}, {}, {}};
-  for (Eigen::Index i = 0; i < space.dimension(); ++i)
-    if (!space.table().continuous[space.free()[static_cast<std::size_t>(i)]].place)
-      simulated.informed.push_back(i);
-  const Eigen::MatrixXd block = covariance(simulated.informed, simulated.informed);
-  simulated.factor = block.llt().matrixL();
-  simulated.offsets.resize(std::ssize(simulated.informed), settings.photos);
-  simulated.summaries.resize(inverse_sigma.numel(), settings.photos);
-  Rng rng(settings.seed);
-  for (Eigen::Index i = 0; i < settings.photos; ++i) {
-    simulated.offsets.col(i) = rng.normals(simulated.offsets.rows());
-    Position position{rng.normals(space.dimension()), centre.discrete};
-    position.continuous(simulated.informed) =
-        centre.continuous(simulated.informed) + simulated.factor * simulated.offsets.col(i);
-    const auto z = pool[static_cast<std::size_t>(i)];
-    const at::Tensor summary =
-        (model.summary_of_photo(space.values(position), *z, settings.camera, rng) * inverse_sigma)
-            .to(at::kDouble)
-            .contiguous();
-    simulated.summaries.col(i) =
-        Eigen::Map<const Eigen::VectorXd>(summary.data_ptr<double>(), summary.numel());
-  }
+/// The levels that irregularities are shown at: always the same, so that few maps are kept.
+Eigen::VectorXi levels_of(const Posterior& posterior, const Irregularities& z) {
+  Rng rng(z.seed());
+  return prior_draw(posterior, rng).discrete;
+}
+
+}  // namespace
+
+SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int photos, std::uint64_t stream) {
+  const Posterior& posterior = simulator.posterior;
+  const auto informed = posterior.informed();
+  const Eigen::Index entries = posterior.photo_summary().size();
+  SimulatedPhotos simulated{region, Eigen::MatrixXd(std::ssize(informed), photos),
+                            Eigen::MatrixXd(entries, photos)};
+  const auto one = [&](std::size_t i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const std::uint64_t which = stream * 1'000'000 + i;
+    Rng rng(simulator.seed, which);
+    const auto z = simulator.pool[simulator.seed * 10'000'000 + which];
+    Position position{rng.normals(posterior.dimension()), levels_of(posterior, *z)};
+    simulated.offsets.col(column) = position.continuous(informed);
+    position.continuous(informed) = region.place(simulated.offsets.col(column));
+    simulated.summaries.col(column) = posterior.simulated_summary(position, *z, simulator.camera, rng);
+    if (simulator.simulated) simulator.simulated();
+  };
+  const auto count = static_cast<std::size_t>(photos);
+  if (simulator.threads > 1)
+    parallel_for(count, simulator.threads, one, simulator.enter_thread);
+  else
+    for (std::size_t i = 0; i < count; ++i) one(i);
   return simulated;
 }
 

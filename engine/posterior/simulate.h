@@ -1,20 +1,37 @@
 #pragma once
 
-#include <ATen/core/Tensor.h>
+#include <Eigen/Core>
 
-#include "engine/posterior/forward_model.h"
+#include <cstdint>
+#include <functional>
+
+#include "engine/posterior/camera.h"
 #include "engine/posterior/irregularity_pool.h"
-#include "engine/posterior/parameter_space.h"
-#include "engine/posterior/simulation_settings.h"
-#include "engine/posterior/synthetic_likelihood.h"
+#include "engine/posterior/posterior.h"
+#include "engine/posterior/region.h"
 
 namespace patina {
 
-/// Photos of N(centre, covariance); places are drawn from their prior, levels are the centre's.
-/// @param inverse_sigma  [p]: summaries are in units of the hand-set errors
-SimulatedPhotos simulate(const ForwardModel& model, const ParameterSpace& space,
-                         const at::Tensor& inverse_sigma, const Position& centre,
-                         const Eigen::MatrixXd& covariance, const SimulationSettings& settings,
-                         IrregularityPool& pool);
+/// How photos are simulated, and by whom.
+struct Simulator {
+  const Posterior& posterior;
+  IrregularityPool& pool;
+  Camera camera;
+  std::uint64_t seed = 1;
+  int threads = 1;                       ///< photos at a time, 1: the caller's; they are the same
+  std::function<void()> enter_thread{};  ///< called first on each of those threads
+  std::function<void()> simulated{};     ///< called after each photo, from any of them; may throw
+};
+
+/// Photos simulated in a region, each with irregularities of its own. Places are drawn from their prior, and
+/// so are levels, which all today's materials have for places.
+struct SimulatedPhotos {
+  Region region;
+  Eigen::MatrixXd offsets;    ///< v, N(0, I): informed coordinates x n, see Region
+  Eigen::MatrixXd summaries;  ///< entries x n
+};
+
+/// @param stream  another one for other photos
+SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int photos, std::uint64_t stream);
 
 }  // namespace patina

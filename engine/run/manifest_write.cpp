@@ -23,6 +23,7 @@ Json settings_json(const RunSettings& s) {
   return {{"resolution", s.resolution},
           {"summary", s.summary},
           {"network", s.network.string()},
+          {"errors", s.errors},
           {"kernel", s.kernel},
           {"metric", s.metric},
           {"discrete", s.discrete},
@@ -70,6 +71,12 @@ Json photo_json(const Manifest& m) {
   return json;
 }
 
+Json alarms_json(const Alarms& alarms) {
+  Json json = Json::array();
+  for (const Alarm& alarm : alarms) json.push_back({{"name", alarm.name}, {"sentence", alarm.sentence}});
+  return json;
+}
+
 Json evidence_json(const std::optional<StopEvidence>& evidence) {
   if (!evidence) return nullptr;
   return {{"draws", evidence->draws},
@@ -77,6 +84,11 @@ Json evidence_json(const std::optional<StopEvidence>& evidence) {
           {"least_ess_of", evidence->least_ess_of},
           {"largest_rhat", number(evidence->largest_rhat)},
           {"largest_rhat_of", evidence->largest_rhat_of}};
+}
+
+Json photo_fit_json(const std::optional<PhotoFit>& fit) {
+  if (!fit) return nullptr;
+  return {{"distance", number(fit->distance)}, {"p", number(fit->p)}, {"widening", number(fit->widening)}};
 }
 
 }  // namespace
@@ -93,8 +105,10 @@ std::string to_json(const Manifest& m) {
       {"settings", settings_json(m.settings)},
       {"network_sha256", m.network_sha256},
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
+      {"photo_fit", photo_fit_json(m.photo_fit)},
       {"map", map_json(m)},
       {"basins", basins_json(m)},
+      {"alarms", alarms_json(m.alarms)},
       {"seconds",
        {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
       {"evidence", evidence_json(m.evidence)}};

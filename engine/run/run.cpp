@@ -21,8 +21,8 @@ std::unique_ptr<DrawSource> resume_run(const RunSettings& settings, const Photo&
                                       there ? Opening::resumed : Opening::fresh);
 }
 
-std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory) {
-  return std::make_unique<RunReader>(directory);
+std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory, std::size_t portion) {
+  return std::make_unique<RunReader>(directory, portion);
 }
 
 }  // namespace patina

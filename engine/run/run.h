@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "engine/io/photo.h"
@@ -29,7 +31,9 @@ std::unique_ptr<DrawSource> resume_run(const RunSettings& settings, const Photo&
                                        std::function<void()> wake = {});
 
 /// Opens a run directory to read, also one that is still being written: take_draws() yields new whole lines.
+/// @param portion  about so many draws at a time, so that someone who waits sees them come
 /// @throws UserError for a directory that is empty, half written beyond use, or made by a newer version
-std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory);
+std::unique_ptr<DrawSource> open_run(const std::filesystem::path& directory,
+                                     std::size_t portion = std::numeric_limits<std::size_t>::max());
 
 }  // namespace patina

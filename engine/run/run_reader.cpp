@@ -1,5 +1,6 @@
 #include "engine/run/run_reader.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -36,8 +37,9 @@ Image read_square_photo(const std::filesystem::path& directory) {
 
 }  // namespace
 
-RunReader::RunReader(const std::filesystem::path& directory)
+RunReader::RunReader(const std::filesystem::path& directory, std::size_t portion)
     : directory_(directory),
+      portion_(portion),
       manifest_(read_manifest(directory)),
       photo_(read_square_photo(directory)),
       chains_(static_cast<std::size_t>(manifest_.settings.chains)),
@@ -47,16 +49,20 @@ RunReader::RunReader(const std::filesystem::path& directory)
 
 std::vector<Draw> RunReader::take_draws() {
   const auto now = RateMeter::Clock::now();
-  if (last_look_ && now < *last_look_ + kLookInterval) return {};
+  if (!more_ && last_look_ && now < *last_look_ + kLookInterval) return {};
+  more_ = false;
   // In this order, so that a writer that ended in between left nothing unread.
   writer_lives_ = is_locked(lock_file(directory_));  // also of a run that ended: it may be taken up again
   const bool ended = has_ended(manifest_.phase) && !writer_lives_;
   if (!ended) manifest_ = read_manifest(directory_);
   std::vector<Draw> draws;
   for (int k = 0; k < manifest_.settings.chains; ++k) read_chain(k, draws);
-  // Draws after the end are of a run that was taken up, and ended, again between two looks.
-  if (ended && last_look_ && !draws.empty()) manifest_ = read_manifest(directory_);
-  if (last_look_ && !draws.empty()) draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
+  if (caught_up_ && !draws.empty()) {
+    // Draws after the end are of a run that was taken up, and ended, again between two looks.
+    if (ended) manifest_ = read_manifest(directory_);
+    draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
+  }
+  caught_up_ |= !more_;
   last_look_ = now;
   return draws;
 }
@@ -68,7 +74,9 @@ void RunReader::read_chain(int chain, std::vector<Draw>& draws) {
     if (!std::filesystem::exists(chain_file(directory_, chain), ignored)) return;
     file.reader.emplace(chain_file(directory_, chain));
   }
-  const auto rows = file.reader->read_new();
+  const std::size_t share = std::max<std::size_t>(1, portion_ / chains_.size());
+  const auto rows = file.reader->read_new(share);
+  more_ |= rows.size() >= share;
   if (file.reader->has_header() && file.reader->header().names != column_names(table()))
     throw UserError(chain_file(directory_, chain).string() +
                     " has other parameters than run.json: restore both from a copy.");
@@ -112,11 +120,26 @@ std::int64_t RunReader::draws_after_warmup() const {
   return draws;
 }
 
+double RunReader::read_fraction() const {
+  if (caught_up_) return 1;
+  double read = 0, there = 0;
+  for (std::size_t k = 0; k < chains_.size(); ++k) {
+    std::error_code missing;
+    const auto size = std::filesystem::file_size(chain_file(directory_, static_cast<int>(k)), missing);
+    if (missing || !chains_[k].reader) continue;
+    read += static_cast<double>(chains_[k].reader->bytes_read());
+    there += static_cast<double>(size);
+  }
+  return there > 0 ? std::min(1.0, read / there) : 0;
+}
+
 RunStatus RunReader::status() const {
   RunStatus status;
+  status.read_fraction = read_fraction();
   status.phase = phase();
   status.message = message(status.phase);
   status.search_fraction = manifest_.map ? 1 : 0;
+  status.alarms = manifest_.alarms;
   if (const auto& best = manifest_.map ? manifest_.map : best_draw_) {
     status.best = best->values;
     status.best_lp = best->lp;

@@ -14,10 +14,11 @@
 namespace patina {
 
 /// A run read from its directory, which another process may still be writing. See open_run(). The files are
-/// looked at no more often than five times a second, however often a front end asks.
+/// looked at no more often than five times a second, however often a front end asks, but for what is known to
+/// be there.
 class RunReader final : public DrawSource {
  public:
-  explicit RunReader(const std::filesystem::path& directory);
+  RunReader(const std::filesystem::path& directory, std::size_t portion);
 
   const std::filesystem::path& directory() const override { return directory_; }
   const RunSettings& settings() const override { return manifest_.settings; }
@@ -41,17 +42,21 @@ class RunReader final : public DrawSource {
   };
 
   void read_chain(int chain, std::vector<Draw>& draws);
+  double read_fraction() const;
   void take_in(const Draw& draw);
   RunPhase phase() const;
   std::string message(RunPhase phase) const;
   std::int64_t draws_after_warmup() const;
 
   std::filesystem::path directory_;
+  std::size_t portion_;  ///< of draws, about
   Manifest manifest_;
   Image photo_;
   std::vector<ChainFile> chains_;
   std::optional<MapPoint> best_draw_;
   bool writer_lives_ = false;
+  bool more_ = false;       ///< draws than the last portion are there
+  bool caught_up_ = false;  ///< with what was there when it was opened
   RateMeter draw_rate_;
   std::optional<RateMeter::Clock::time_point> last_look_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/material/parameter.h"
+#include "engine/run/alarm.h"
 
 namespace patina {
 
@@ -23,9 +24,11 @@ struct RunStatus {
   RunPhase phase = RunPhase::starting;
   std::string message;                  ///< one sentence: what it is doing now, or why it stopped
   double search_fraction = 0;           ///< 0..1 while searching
+  double read_fraction = 1;             ///< of the draws in its directory, where it is read from there
   std::optional<ParameterValues> best;  ///< the best point found so far by the search; then the MAP
   double best_lp = 0;
   std::vector<ChainStatus> chains;
+  Alarms alarms;                ///< of the photo and its best match; those of the draws say summarize_draws()
   double draws_per_second = 0;  ///< all chains together, over the last few seconds
 };
 

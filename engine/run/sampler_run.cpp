@@ -16,6 +16,7 @@
 #include "engine/run/manifest_phase.h"
 #include "engine/run/network_checksum.h"
 #include "engine/run/posterior_settings.h"
+#include "engine/run/run_alarms.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_state.h"
@@ -109,7 +110,7 @@ void SamplerRun::take_up() {
   const Manifest made = read_manifest(directory_);
   check_same_run(directory_, made, manifest_);
   check_has_states(directory_);
-  found_ = read_mode(directory_, run_key_, *posteriors_.front());
+  found_ = read_mode(directory_, run_key_, *posteriors_.front(), is_calibrated());
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
   manifest_.basins = made.basins;
@@ -173,6 +174,9 @@ void SamplerRun::run_to_the_end() {
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
   if (!found.basins.empty()) manifest_.basins = found.basins;
+  manifest_.alarms =
+      run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed, manifest_.photo_fit);
+  shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(found);
@@ -196,6 +200,7 @@ ModeFound SamplerRun::find_or_recall() {
     posteriors_.push_back(
         std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_));
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);
+  if (found_->errors) use(*found_->errors);
   shared_.edit_status([&](RunStatus& status) {
     status.search_fraction = 1;
     status.best = posteriors_.back()->values(found_->mode.position);
@@ -214,7 +219,27 @@ ModeFound SamplerRun::search() {
   }
   ModeFound found = find_mode(posteriors_, settings_, shared_);
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
+  if (is_calibrated()) calibrate(found);
   return found;
+}
+
+void SamplerRun::calibrate(ModeFound& found) {
+  CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), settings_, shared_);
+  use(calibrated.errors);
+  found.mode = std::move(calibrated.mode);
+  found.laplace = std::move(calibrated.laplace);
+  found.errors = std::move(calibrated.errors);
+  // Of the others nothing is known under these errors.
+  found.basins = {{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density}};
+  shared_.edit_status([&](RunStatus& status) {
+    status.best = found.basins.front().values;
+    status.best_lp = found.basins.front().lp;
+  });
+}
+
+void SamplerRun::use(const CalibratedErrors& errors) {
+  posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(errors.likelihood));
+  manifest_.photo_fit = errors.fit;
 }
 
 void SamplerRun::sample(const ModeFound& found) {

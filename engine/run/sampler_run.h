@@ -51,6 +51,9 @@ class SamplerRun final : public DrawSource {
   void enter(RunPhase phase, const std::string& message);
   ModeFound find_or_recall();
   ModeFound search();
+  void calibrate(ModeFound& found);
+  void use(const CalibratedErrors& errors);
+  bool is_calibrated() const { return settings_.errors == "calibrated"; }
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
   void take_stock(const std::deque<Chain>& chains);

@@ -39,7 +39,7 @@ void StopWatcher::watch(const std::stop_token& stop) noexcept {
 StopWatcher::Verdict StopWatcher::end() noexcept {
   thread_ = {};  // asks it to stop and waits
   try {
-    if (monitor_) monitor_->look(/*in_any_case=*/true);
+    if (monitor_ && !monitor_->is_reached()) monitor_->look(/*in_any_case=*/true);
   } catch (const std::exception&) {
     // What cannot be read is not judged; the draws before it are.
   }

@@ -17,8 +17,9 @@ class StopWatcher {
               const std::filesystem::path& directory, RunShared& shared);
 
   struct Verdict {
-    std::string rule;                      ///< the one that stopped the run, as a clause; empty: none
-    std::optional<StopEvidence> evidence;  ///< of all draws, where the rules ask for quality
+    std::string rule;  ///< the one that stopped the run, as a clause; empty: none
+    /// Where the rules ask for quality: of the draws that reached it, else of all.
+    std::optional<StopEvidence> evidence;
   };
 
   /// Ends the watch. Once.

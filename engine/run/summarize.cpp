@@ -12,38 +12,13 @@
 #include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/principal_directions.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/run/draw_alarms.h"
+#include "engine/run/draw_matrix.h"
 
 namespace patina {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-using Chains = std::vector<std::vector<const Draw*>>;
-
-/// Draws after warm-up by chain, in order.
-Chains by_chain(const std::vector<Draw>& draws) {
-  Chains chains;
-  for (const Draw& draw : draws) {
-    if (draw.warmup) continue;
-    if (chains.size() <= static_cast<std::size_t>(draw.chain))
-      chains.resize(static_cast<std::size_t>(draw.chain) + 1);
-    chains[static_cast<std::size_t>(draw.chain)].push_back(&draw);
-  }
-  return chains;
-}
-
-/// A quantity of every draw, iterations x chains; chains without draws are left out, the others cut to the
-/// shortest.
-Eigen::MatrixXd matrix_of(Chains chains, const std::function<double(const Draw&)>& quantity) {
-  std::erase_if(chains, [](const auto& chain) { return chain.empty(); });
-  if (chains.empty()) return {};
-  const std::size_t length = std::ranges::min_element(chains, {}, &Chains::value_type::size)->size();
-  Eigen::MatrixXd values(static_cast<Eigen::Index>(length), static_cast<Eigen::Index>(chains.size()));
-  for (Eigen::Index k = 0; k < values.cols(); ++k)
-    for (Eigen::Index i = 0; i < values.rows(); ++i)
-      values(i, k) = quantity(*chains[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]);
-  return values;
-}
 
 double standard_deviation(const Eigen::MatrixXd& values) {
   return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
@@ -68,7 +43,7 @@ QuantitySummary summarize(const std::string& name, const Eigen::MatrixXd& values
   return s;
 }
 
-std::vector<ChainMean> chain_means(const Chains& chains, const Eigen::MatrixXd& values) {
+std::vector<ChainMean> chain_means(const DrawsByChain& chains, const Eigen::MatrixXd& values) {
   std::vector<ChainMean> means;
   for (std::size_t k = 0; k < chains.size(); ++k)
     if (!chains[k].empty())
@@ -94,18 +69,7 @@ std::string name_of(const Eigen::VectorXd& loadings, const ParameterTable& table
   return name;
 }
 
-/// Sampling coordinates of all draws: one matrix a parameter, iterations x chains.
-std::vector<Eigen::MatrixXd> coordinates_of(const Chains& chains, const ParameterTable& table) {
-  std::vector<Eigen::MatrixXd> coordinates;
-  for (std::size_t i = 0; i < table.continuous.size(); ++i) {
-    const PriorTransform transform(table.continuous[i].prior);
-    coordinates.push_back(
-        matrix_of(chains, [&](const Draw& draw) { return transform.coordinate(draw.values.continuous[i]); }));
-  }
-  return coordinates;
-}
-
-std::vector<DirectionSummary> summarize_directions(const Chains& chains, const ParameterTable& table) {
+std::vector<DirectionSummary> summarize_directions(const DrawsByChain& chains, const ParameterTable& table) {
   constexpr int kDirections = 3;
   const std::vector<Eigen::MatrixXd> coordinates = coordinates_of(chains, table);
   if (coordinates.empty() || coordinates.front().size() == 0) return {};
@@ -126,15 +90,14 @@ std::vector<DirectionSummary> summarize_directions(const Chains& chains, const P
   return summaries;
 }
 
-/// The energies of the draws that trajectories made; where no kernel makes any, -lp of all draws.
-std::vector<double> energies_of(const std::vector<const Draw*>& draws) {
+/// The energies of the draws that trajectories made; empty where no kernel makes any.
+std::vector<double> trajectory_energies(const std::vector<const Draw*>& draws) {
   constexpr std::size_t kFewest = 4;
-  std::vector<double> of_trajectories, of_all;
-  for (const Draw* draw : draws) {
-    of_all.push_back(-draw->lp);
-    if (std::isfinite(draw->energy) && draw->energy != -draw->lp) of_trajectories.push_back(draw->energy);
-  }
-  return of_trajectories.size() < kFewest ? of_all : of_trajectories;
+  std::vector<double> energies;
+  for (const Draw* draw : draws)
+    if (std::isfinite(draw->energy) && draw->energy != -draw->lp) energies.push_back(draw->energy);
+  if (energies.size() < kFewest) energies.clear();
+  return energies;
 }
 
 ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
@@ -147,7 +110,10 @@ ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
     s.divergences += draw->divergent;
   }
   s.acceptance = acceptance / static_cast<double>(draws.size());
-  const std::vector<double> energy = energies_of(draws);
+  std::vector<double> energy = trajectory_energies(draws);
+  s.has_trajectories = !energy.empty();
+  if (energy.empty())
+    for (const Draw* draw : draws) energy.push_back(-draw->lp);
   s.ebfmi = ebfmi(Eigen::Map<const Eigen::VectorXd>(energy.data(), std::ssize(energy)));
   return s;
 }
@@ -155,7 +121,7 @@ ChainSummary summarize_chain(int chain, const std::vector<const Draw*>& draws) {
 }  // namespace
 
 RunSummary summarize_draws(const ParameterTable& table, const std::vector<Draw>& draws) {
-  const Chains chains = by_chain(draws);
+  const DrawsByChain chains = by_chain(draws);
   RunSummary summary;
   const auto add = [&](const std::string& name, double prior_sd,
                        const std::function<double(const Draw&)>& of) {
@@ -173,6 +139,7 @@ RunSummary summarize_draws(const ParameterTable& table, const std::vector<Draw>&
   summary.directions = summarize_directions(chains, table);
   for (std::size_t k = 0; k < chains.size(); ++k)
     summary.chains.push_back(summarize_chain(static_cast<int>(k), chains[k]));
+  summary.alarms = draw_alarms(table, summary, chains);
   return summary;
 }
 

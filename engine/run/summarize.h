@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/material/parameter.h"
+#include "engine/run/alarm.h"
 #include "engine/run/draw.h"
 
 namespace patina {
@@ -38,6 +39,7 @@ struct ChainSummary {
   std::int64_t draws = 0;
   double acceptance = 0;
   std::int64_t divergences = 0;
+  bool has_trajectories = false;  ///< of hmc or nuts
   /// Of the energies of hmc's and nuts' trajectories, other moves left out; of -lp for the other kernels.
   double ebfmi = 0;
 };
@@ -46,6 +48,7 @@ struct RunSummary {
   std::vector<QuantitySummary> quantities;   ///< lp first, then the table's order
   std::vector<DirectionSummary> directions;  ///< widest first, at most three
   std::vector<ChainSummary> chains;
+  Alarms alarms;  ///< see draw_alarms()
 };
 
 /// Summarises the draws after warm-up; chains are cut to the shortest.

@@ -7,7 +7,8 @@
 namespace patina {
 namespace {
 
-constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
+/// R-hat of chains that sit in places of their own, whose sd together says nothing of what the photo knows.
+constexpr double kApart = 1.1;
 
 /// At most 1 when the quantity is good: the R-hat's excess or the lack of effective draws, whichever is
 /// worse.
@@ -41,7 +42,8 @@ std::string worst_direction(const RunSummary& summary) {
 
 // A quantity that never changed has no R-hat: it is no evidence either way.
 bool is_judged(const QuantitySummary& q) {
-  return std::isfinite(q.rhat) && !(q.sd_over_prior_sd > kNotIdentified);
+  const bool left_open = q.sd_over_prior_sd > kNotIdentified && q.rhat < kApart;
+  return std::isfinite(q.rhat) && !left_open;
 }
 
 const QuantitySummary* furthest_from_good(const RunSummary& summary) {
@@ -49,6 +51,11 @@ const QuantitySummary* furthest_from_good(const RunSummary& summary) {
   for (const QuantitySummary& q : summary.quantities)
     if (is_judged(q) && (worst == nullptr || badness(q) > badness(*worst))) worst = &q;
   return worst;
+}
+
+bool chains_agree(const RunSummary& summary) {
+  const QuantitySummary* worst = furthest_from_good(summary);
+  return worst != nullptr && badness(*worst) <= 1;
 }
 
 std::string verdict(const RunSummary& summary) {
@@ -59,7 +66,7 @@ std::string verdict(const RunSummary& summary) {
       figure("%.0f", std::min(worst->bulk_ess, worst->tail_ess)) + " effective draws";
   const std::string goal =
       "R-hat " + figure("%.2f", kGoodRhat) + " and " + figure("%.0f", kGoodEss) + " effective draws";
-  if (badness(*worst) <= 1)
+  if (chains_agree(summary))
     return "The chains agree: every identified parameter has reached " + goal + " (" + evidence + ").";
   return "The chains do not agree yet to " + goal + ": " + evidence + chain_apart(*worst) +
          worst_direction(summary) + ". More draws help.";

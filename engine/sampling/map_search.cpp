@@ -56,9 +56,10 @@ class Search {
         jagged_(targets.front()->jagged()) {
     total_ = settings.prior_draws + 1 + settings.descents * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
-    if (has_jagged()) total_ += settings.finalists * kWalkRounds * short_climb();
+    if (has_jagged())
+      total_ += settings.finalists * kWalkRounds * short_climb() * (1 + cost(targets.size() - 1));
     for (std::size_t i = 1; i < targets.size(); ++i)
-      total_ += settings.finalists * settings.fine_iterations * std::pow(kCostRatio, i);
+      total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
 
   MapSearchResult run() {
@@ -68,11 +69,13 @@ class Search {
     // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
     std::vector<OptimizerResult> finalists = distinct(results, finalist_count());
     for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
-    if (has_jagged()) walk_all(finalists);
+    if (has_jagged()) walk_all(finalists, 0);
     results.insert(results.end(), finalists.begin(), finalists.end());
     sort_best_first(results);
     results = distinct(results, finalist_count());
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
+    // A grain that the coarsest target blurs tells only here how large it is.
+    if (has_jagged() && targets_.size() > 1) walk_all(results, targets_.size() - 1);
     if (stopped()) return best_so_far();
     report(results.front(), total_ - done_);
     return {results.front(), results};
@@ -81,6 +84,7 @@ class Search {
  private:
   bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
   int finalist_count() const { return std::max(settings_.finalists, 1); }
+  static double cost(std::size_t target) { return std::pow(kCostRatio, target); }
   int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
 
   void for_all(std::size_t count, const std::function<void(std::size_t)>& work) const {
@@ -126,7 +130,7 @@ class Search {
     for_all(results.size(), [&](std::size_t i) {
       if (stopped()) return;
       results[i] = climb(*targets_[target], results[i].position, iterations);
-      report(results[i], iterations * std::pow(kCostRatio, target));
+      report(results[i], iterations * cost(target));
     });
     sort_best_first(results);
   }
@@ -160,41 +164,49 @@ class Search {
 
   bool has_jagged() const { return std::ranges::count(jagged_, true) > 0; }
 
-  void walk_all(std::vector<OptimizerResult>& results) {
+  void walk_all(std::vector<OptimizerResult>& results, std::size_t target) {
     std::vector<Eigen::MatrixXd>
         steps;  // drawn before the threads start, in an order that is always the same
     for (std::size_t i = 0; i < results.size(); ++i) steps.push_back(jagged_steps());
-    for_all(results.size(), [&](std::size_t i) { walk(results[i], steps[i]); });
+    for_all(results.size(), [&](std::size_t i) { walk(target, results[i], steps[i]); });
+    sort_best_first(results);
   }
 
-  /// A step a column, narrower from round to round; zero along coordinates that are not jagged.
+  /// A step a column, narrower from round to round. Every other one moves all jagged coordinates, those
+  /// between them one each in turn: a size may be wrong where the place is right.
   Eigen::MatrixXd jagged_steps() {
-    Eigen::MatrixXd steps(targets_.front()->dimension(), kWalkRounds * kStepsPerRound);
+    const Eigen::Index n = targets_.front()->dimension();
+    std::vector<Eigen::Index> jagged;
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (jagged_[static_cast<std::size_t>(k)]) jagged.push_back(k);
+    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(n, kWalkRounds * kStepsPerRound);
     for (int i = 0; i < steps.cols(); ++i) {
       const double spread = kWidestWalk * std::pow(kWalkNarrowing, i / kStepsPerRound);
-      steps.col(i) = spread * rng_.normals(steps.rows());
+      if (i % 2 == 0)
+        steps(jagged[static_cast<std::size_t>(i / 2) % jagged.size()], i) = spread * rng_.normal();
+      else
+        for (const Eigen::Index k : jagged) steps(k, i) = spread * rng_.normal();
     }
-    for (Eigen::Index k = 0; k < steps.rows(); ++k)
-      if (!jagged_[static_cast<std::size_t>(k)]) steps.row(k).setZero();
     return steps;
   }
 
-  void walk(OptimizerResult& result, const Eigen::MatrixXd& steps) {
+  void walk(std::size_t level, OptimizerResult& result, const Eigen::MatrixXd& steps) {
+    const LogDensity& target = *targets_[level];
     for (int round = 0; round < kWalkRounds && !stopped(); ++round) {
       std::vector<OptimizerResult> places;
       for (int i = 0; i < kStepsPerRound && !stopped(); ++i) {
         Position position = result.position;
         position.continuous += steps.col(round * kStepsPerRound + i);
-        places.push_back(evaluate(*targets_.front(), std::move(position)));
+        places.push_back(evaluate(target, std::move(position)));
       }
       if (places.empty() || stopped()) return;
       sort_best_first(places);
       // The other coordinates fit the place they were climbed at: what is nearly as good may end above.
       if (places.front().evaluation.log_density > result.evaluation.log_density - kNearlyAsGood) {
-        OptimizerResult rival = climb(*targets_.front(), places.front().position, short_climb());
+        OptimizerResult rival = climb(target, places.front().position, short_climb());
         if (rival.evaluation.log_density > result.evaluation.log_density) result = std::move(rival);
       }
-      report(result, short_climb());
+      report(result, short_climb() * cost(level));
     }
   }
 

@@ -31,8 +31,8 @@ struct MapSearchResult {
 
 /// A global search for the posterior's mode, cheap first: targets are the same posterior from coarse to fine.
 /// Discrete coordinates are swept (every level of each, others held) around each finalist; jagged ones, which
-/// no climb moves, are walked at random in narrowing steps, with a short climb of the others from each better
-/// place.
+/// no climb moves, are walked at random in narrowing steps, on the coarsest target and again on the finest,
+/// with a short climb of the others from each better place.
 MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng,
                            const MapSearchSettings& settings = {});
 

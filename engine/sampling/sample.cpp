@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/noise.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
 #include "engine/sampling/sample_record.h"
@@ -72,7 +73,7 @@ SampleTally draw(const LogDensity& target, const Kernel& kernel, const SampleSet
   for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
     const TransitionInfo info = kernel.step(target, sample.frozen, chain.state, chain.rng);
     tally.add(info);
-    record(sample, t, k, chain.state, info.energy);
+    record(sample, t, k, chain.state, info);
     if (settings.drew) settings.drew(static_cast<int>(k), chain.state);
   }
   return tally;
@@ -86,6 +87,8 @@ Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettin
   Sample sample;
   sample.frozen = warm_up(target, kernel, settings, chains);
   if (settings.warmed_up) settings.warmed_up(sample.frozen);
+  sample.noise = value_noise(target, chains.front().state.position, settings.noise_repeats, settings.threads,
+                             settings.enter_thread);
   shape(sample, target, settings);
   std::vector<SampleTally> tallies(chains.size());
   const auto draw_chain = [&](std::size_t k) {

@@ -18,6 +18,7 @@ struct SampleSettings {
   std::uint64_t seed = 1;
   MetricKind metric = MetricKind::dense;
   double metric_worth = 0;  ///< of the metric that warm-up begins with, see pool()
+  int noise_repeats = 20;   ///< evaluations of one place after warm-up, see value_noise(); 0: none
   int threads = 1;          ///< chains at a time; the sample is the same
   // For who watches or breaks off (by throwing); they see chains and cannot change them.
   std::function<void()> enter_thread = {};                    ///< called first on each thread of the chains
@@ -35,7 +36,9 @@ struct Sample {
   Eigen::MatrixXd energy;          ///< see TransitionInfo
   std::vector<double> acceptance;  ///< mean acceptance probability of each chain's continuous moves
   KernelSettings frozen;           ///< what warm-up ended with
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> divergent;  ///< of each transition
   int divergences = 0;
+  double noise = 0;  ///< nats: sd of the log density of one place, where the first chain was after warm-up
   long evaluations = 0;  ///< after warm-up
 };
 

@@ -19,7 +19,8 @@ struct SampleTally {
 void shape(Sample& sample, const LogDensity& target, const SampleSettings& settings);
 
 /// Writes down draw t of chain k. Safe for several chains at a time.
-void record(Sample& sample, Eigen::Index t, Eigen::Index k, const ChainState& state, double energy);
+void record(Sample& sample, Eigen::Index t, Eigen::Index k, const ChainState& state,
+            const TransitionInfo& info);
 
 /// Adds up what the chains counted, in their order.
 void add_tallies(Sample& sample, const std::vector<SampleTally>& tallies);

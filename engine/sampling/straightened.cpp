@@ -40,16 +40,19 @@ class Straightened final : public Kernel {
     const KernelSettings inner{settings.step_size, settings.metric};
     const Eigen::VectorXd y = map.straighten(state.position.continuous);
     ChainState in_y{{y, state.position.discrete}, map.density_of_y(y, state.evaluation)};
-    const TransitionInfo info = kernel_->step(straightened, inner, in_y, rng);
+    TransitionInfo info = kernel_->step(straightened, inner, in_y, rng);
+    info.energy +=
+        in_y.evaluation.log_density;  // the kinetic part alone, to the last bit where there is none
     if (!info.accepted) {
       // A rejected draw repeats to the last bit, which there and back would not; a gradient that was missing
       // is kept.
       if (state.evaluation.gradient.size() == 0)
         state.evaluation.gradient = map.density_of_x(in_y.position.continuous, in_y.evaluation).gradient;
-      return info;
+    } else {
+      state.position = {map.bend(in_y.position.continuous), in_y.position.discrete};
+      state.evaluation = map.density_of_x(in_y.position.continuous, in_y.evaluation);
     }
-    state.position = {map.bend(in_y.position.continuous), in_y.position.discrete};
-    state.evaluation = map.density_of_x(in_y.position.continuous, in_y.evaluation);
+    info.energy -= state.evaluation.log_density;
     return info;
   }
 

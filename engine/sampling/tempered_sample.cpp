@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/sampling/climber.h"
+#include "engine/sampling/noise.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
 #include "engine/sampling/sample_record.h"
@@ -60,7 +61,7 @@ SampleTally draw(const LogDensity& target, const Kernel& kernel, Eigen::Index k,
   for (Eigen::Index t = 0; t < sample.energy.rows(); ++t) {
     ClimberStep step = next_step(target, kernel, chain.climber, chain.rng);
     tally.add(step.on_target);
-    record(sample, t, k, step.state.rungs.back(), step.on_target.energy);
+    record(sample, t, k, step.state.rungs.back(), step.on_target);
     take_step(std::move(step), /*warmup=*/false, chain.climber);
   }
   return tally;
@@ -84,6 +85,7 @@ TemperedSample sample_tempered(const LogDensity& target, const Kernel& kernel, c
   Sample& sample = tempered.sample;
   sample.frozen = chains.front().climber.target_settings();
   shape(sample, target, settings);
+  sample.noise = value_noise(target, chains.front().climber.on_target().position, settings.noise_repeats);
   for (OneChain& chain : chains) chain.climber.state.round_trips = 0;
   std::vector<SampleTally> tallies(chains.size());
   parallel_for(chains.size(), settings.threads, [&](std::size_t k) {

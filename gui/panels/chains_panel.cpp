@@ -2,36 +2,40 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <limits>
+#include <optional>
+#include <utility>
 
+#include "gui/panels/stop_rules.h"
+#include "gui/run_outlook.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
 namespace patina {
 namespace {
 
-/// From 0 to 1: of the search while searching, of warm-up and draws together afterwards.
-float progress(const RunStatus& status, const RunSettings& settings) {
-  if (status.phase == RunPhase::finished) return 1;
-  if (status.phase == RunPhase::starting) return 0;
-  if (status.phase == RunPhase::searching) return static_cast<float>(status.search_fraction);
-  double made = 0;
-  for (const ChainStatus& chain : status.chains) made += static_cast<double>(chain.iteration);
-  const double all = std::max(1.0, static_cast<double>(settings.chains) * (settings.warmup + settings.draws));
-  return static_cast<float>(std::clamp(made / all, 0.0, 1.0));
-}
+/// The table's columns, and what they mean.
+constexpr std::array<std::pair<const char*, const char*>, 5> kColumns{
+    {{"Chain", "Independent walks through the possible materials"},
+     {"Steps", "How many steps the chain has made, warm-up included"},
+     {"Accepted", "How many of the steps that it tried it took: a chain that takes few hardly moves"},
+     {"Step size", "How far a step reaches; warm-up finds it"},
+     {"Diverged",
+      "Steps that went astray where the posterior bends sharply, and were not taken. A few in a thousand do "
+      "no harm; many may mean that a corner of the answer is missing"}}};
 
 ImU32 phase_color(RunPhase phase) {
   if (phase == RunPhase::failed) return theme::kError;
   return is_active(phase) ? theme::kAccent : theme::kMuted;
 }
 
-void draw_progress(const RunStatus& status, const RunSettings& settings) {
-  const float fraction = progress(status, settings);
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, phase_color(status.phase));
-  ImGui::ProgressBar(fraction, {-1, 0.35f * ImGui::GetFontSize()}, "");
+std::optional<StopEvidence> evidence_of(const Session& session) {
+  if (!session.summary()) return std::nullopt;
+  return stop_evidence(*session.summary());
+}
+
+void draw_progress(const RunOutlook& outlook, RunPhase phase) {
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, phase_color(phase));
+  ImGui::ProgressBar(outlook.done, {-1, 0.35f * ImGui::GetFontSize()}, "");
   ImGui::PopStyleColor();
 }
 
@@ -42,6 +46,7 @@ void draw_phase(const PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_Text, phase_color(status.phase));
   ImGui::TextUnformatted(phase_text(status.phase).c_str());
   ImGui::PopStyleColor();
+  if (!status.message.empty()) tooltip(sentence(status.message));
   const std::size_t draws = context.session.model().draws().size();
   if (draws == 0) return;
   std::string right = count_text(static_cast<long long>(draws)) + " draws";
@@ -52,28 +57,38 @@ void draw_phase(const PanelContext& context) {
   elided_text(right, ImGui::GetContentRegionAvail().x, theme::kMuted);
 }
 
-/// The worst R-hat and the smallest ESS over all quantities: the two numbers that decide whether to wait.
-std::string agreement(const RunSummary& summary) {
-  double rhat = 0, ess = std::numeric_limits<double>::infinity();
-  for (const QuantitySummary& quantity : summary.quantities) {
-    if (std::isfinite(quantity.rhat)) rhat = std::max(rhat, quantity.rhat);
-    if (std::isfinite(quantity.bulk_ess)) ess = std::min(ess, quantity.bulk_ess);
-  }
-  if (rhat == 0 || !std::isfinite(ess)) return {};
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "R-hat up to %.2f, ESS at least %.0f", rhat, std::floor(ess));
-  return text.data();
+/// While a run directory is read, which for a million draws takes a moment.
+void draw_reading(const PanelContext& context) {
+  Session& session = context.session;
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
+  ImGui::TextUnformatted("Reading its draws");
+  ImGui::PopStyleColor();
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
+  ImGui::ProgressBar(static_cast<float>(session.status().read_fraction), {-1, 0.35f * ImGui::GetFontSize()},
+                     "");
+  ImGui::PopStyleColor();
+  muted_text(count_text(static_cast<long long>(session.model().draws().size())) + " so far");
+  ImGui::SetCursorPosY(ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight());
+  if (ImGui::Button("Cancel", {-1, 0})) context.commands.push_back([&session] { session.close_run(); });
+  tooltip("Close this run; nothing in its directory changes");
 }
 
-/// The line below the bar: why a run stopped, else how far the chains agree, else what the run says of
-/// itself.
-std::string news(const Session& session) {
+/// Below the bar: when the run will end, or why it has; then how far the chains agree.
+void draw_news(const Session& session, const RunOutlook& outlook,
+               const std::optional<StopEvidence>& evidence) {
   const RunStatus& status = session.status();
-  const std::string agreed = session.summary() ? agreement(*session.summary()) : std::string();
-  const bool told = status.phase == RunPhase::failed || status.phase == RunPhase::paused;
-  if (!agreed.empty() && !told) return agreed;
-  return status.phase == RunPhase::warming_up ? "Whether the chains agree shows after warm-up"
-                                              : status.message;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string ended = sentence(status.message);
+  elided_text(is_active(status.phase) ? outlook_text(outlook) : ended.substr(0, ended.find(':')), width,
+              theme::kMuted);
+  if (!is_active(status.phase)) tooltip(ended);
+  if (!evidence) return elided_text("Whether the chains agree shows after warm-up", width, theme::kMuted);
+  elided_text(agreement_text(*evidence), width, theme::kMuted);
+  tooltip(
+      "R-hat tells how far the chains agree on the parameter on which they agree least: 1 is perfect, below "
+      "1.1 is usable.\nNeighbouring steps of a chain resemble each other: so many independent draws are what "
+      "all of them are worth for the parameter that is known least well (ESS).");
 }
 
 void draw_chain_row(int number, const ChainStatus& chain) {
@@ -87,6 +102,7 @@ void draw_chain_row(int number, const ChainStatus& chain) {
   ImGui::Text("%d", number + 1);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(count_text(chain.iteration).c_str());
+  if (chain.iteration == 0) return;  // there is nothing to say of the rest yet
   ImGui::TableNextColumn();
   ImGui::Text("%.0f %%", 100 * chain.acceptance);
   ImGui::TableNextColumn();
@@ -102,10 +118,14 @@ void draw_chain_table(const RunStatus& status, float height) {
                          {0, height}))
     return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const char* name : {"Chain", "Steps", "Accepted", "Step size", "Diverged"})
-    ImGui::TableSetupColumn(name);
+  for (const auto& [name, meaning] : kColumns) ImGui::TableSetupColumn(name);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::kMuted);
-  ImGui::TableHeadersRow();
+  for (const auto& [name, meaning] : kColumns) {
+    ImGui::TableNextColumn();
+    ImGui::TableHeader(name);
+    tooltip(meaning);
+  }
   ImGui::PopStyleColor();
   for (std::size_t i = 0; i < status.chains.size(); ++i)
     draw_chain_row(static_cast<int>(i), status.chains[i]);
@@ -120,12 +140,15 @@ void draw_buttons(const PanelContext& context) {
                               : "Another program is making this run; watch it here.");
     return;
   }
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - gap - stop_rules_width();
   if (session.can_go_on()) {
-    if (ImGui::Button("Continue", {-1, 0})) context.commands.push_back([&session] { session.go_on(); });
+    if (ImGui::Button("Continue", {room, 0})) context.commands.push_back([&session] { session.go_on(); });
     tooltip("Draw on in this run; what was drawn is kept");
-    return;
+    ImGui::SameLine();
+    return draw_stop_rules(context);
   }
-  const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const float half = 0.5f * (room - gap);
   ImGui::BeginDisabled(is_over(phase));
   const bool paused = phase == RunPhase::paused;
   if (paused ? primary_button("Resume", {half, 0}) : ImGui::Button("Pause", {half, 0})) {
@@ -136,6 +159,8 @@ void draw_buttons(const PanelContext& context) {
   if (ImGui::Button("Stop", {half, 0})) context.commands.push_back([&session] { session.stop(); });
   tooltip("End the run; what was drawn is kept");
   ImGui::EndDisabled();
+  ImGui::SameLine();
+  draw_stop_rules(context);
 }
 
 }  // namespace
@@ -147,11 +172,15 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect) {
     muted_text(session.has_photo()
                    ? "Press Start: four chains will look for everything this material could be."
                    : "Nothing is running.");
-    return;
+    return draw_stop_rules(context);
   }
+  if (session.status().read_fraction < 1) return draw_reading(context);
   draw_phase(context);
-  draw_progress(session.status(), session.run().settings());
-  elided_text(news(session), ImGui::GetContentRegionAvail().x, theme::kMuted);
+  const std::optional<StopEvidence> evidence = evidence_of(session);
+  const RunOutlook outlook =
+      run_outlook(session.status(), session.run().settings(), evidence, session.seconds_spent());
+  draw_progress(outlook, session.status().phase);
+  draw_news(session, outlook, evidence);
   const float buttons = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
   draw_chain_table(session.status(), std::max(1.0f, ImGui::GetContentRegionAvail().y - buttons));
   draw_buttons(context);

@@ -8,9 +8,12 @@
 namespace patina {
 namespace {
 
-std::string describe(const ExplorerModel& model, const ShownDraw& shown) {
+std::string describe(const Session& session, const ShownDraw& shown) {
+  const ExplorerModel& model = session.model();
   if (shown.kind == ShownDraw::Kind::typical)
-    return "The middle of what this material usually is. Press Start to fit it to the photo.";
+    return std::string("The middle of what this material usually is") +
+           (session.has_run() ? ", until a match for the photo is found."
+                              : ". Press Start to fit it to the photo.");
   std::string text = "Match " + number_text(shown.lp, 4);
   if (const auto best = model.best(); best && shown.kind == ShownDraw::Kind::selected) {
     const double below = model.draws().lp(*best) - shown.lp;
@@ -41,7 +44,7 @@ void draw_walk(const PanelContext& context, const ShownDraw& shown) {
   const bool starred = shown.draw && model.starred(*shown.draw);
   ImGui::BeginDisabled(!shown.draw);
   if (ImGui::Button(starred ? "Unstar" : "Star")) {
-    context.commands.push_back([&model, draw = *shown.draw, starred] { model.star(draw, !starred); });
+    context.commands.push_back([&model, draw = *shown.draw] { model.toggle_star(draw); });
   }
   tooltip(starred ? "Take the star away (S)" : "Keep this draw in the gallery (S)");
   ImGui::EndDisabled();
@@ -54,7 +57,7 @@ void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownD
                      const std::string& export_note, const std::function<void()>& ask_to_export) {
   const PanelScope panel((shown_draw_title(shown) + "###draw").c_str(), rect, context,
                          ImGuiWindowFlags_NoScrollbar);
-  muted_text(describe(context.session.model(), shown));
+  muted_text(describe(context.session, shown));
   if (!export_note.empty()) elided_text(export_note, ImGui::GetContentRegionAvail().x, theme::kAccent);
   const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));

@@ -111,6 +111,7 @@ void FileDialog::draw_buttons() {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
   ImGui::TextUnformatted(problem_.c_str());
   ImGui::PopStyleColor();
+  ImGui::SetCursorPosY(ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight());
   if (ImGui::Button("Cancel")) visible_ = false;
   const char* go = purpose_ == Purpose::open ? "Open" : "Export here";
   align_right(button_width(go));

@@ -113,7 +113,7 @@ void Gallery::draw_head(const PanelContext& context, const GalleryActions& actio
 void Gallery::draw_comparison(Session& session) {
   const float em = ImGui::GetFontSize(), side = std::min(kComparison * em, ImGui::GetContentRegionAvail().x);
   const Rect square{ImGui::GetCursorScreenPos(), {side, side}};
-  ImGui::InvisibleButton("comparison", square.size);
+  mouse_area("comparison", square.size);
   const float mouse = ImGui::IsItemHovered() ? ImGui::GetIO().MousePos.x : square.position.x + 0.5f * side;
   const float split = std::clamp(mouse, square.position.x, square.position.x + side);
   draw_picture_or_well(thumbnails_.find(session, *a_, kCompared, true), square);
@@ -163,7 +163,7 @@ void Gallery::draw_picture(Session& session, const Card& card) {
   const float em = ImGui::GetFontSize();
   const Rect square{ImGui::GetCursorScreenPos(), {kCard * em, kCard * em}};
   shown_.push_back({card.draw, square});
-  if (ImGui::InvisibleButton("picture", square.size)) model.select(card.draw);
+  if (picture_button("picture", square.size)) model.select(card.draw);
   tooltip("Select this draw: its render appears large");
   if (!ImGui::IsItemVisible()) return;
   draw_picture_or_well(thumbnails_.find(session, card.draw), square);
@@ -206,7 +206,7 @@ void Gallery::draw_buttons(const PanelContext& context, const Card& card, const 
   ExplorerModel& model = context.session.model();
   const bool on = model.starred(card.draw);
   if (ImGui::Button(on ? "Unstar" : "Star")) {
-    context.commands.push_back([&model, draw = card.draw, on] { model.star(draw, !on); });
+    context.commands.push_back([&model, draw = card.draw] { model.toggle_star(draw); });
   }
   tooltip(on ? "Take the star and its note away (Ctrl+Z brings them back)"
              : "Keep this draw, with a note of yours");

@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::size_t kMarkedLive = 200'000;  // draws, above which marking waits for the button's release
 
+}  // namespace
+
 Marking marking_of(const ImGuiIO& io) {
   return io.KeyShift ? Marking::add : io.KeyCtrl ? Marking::remove : Marking::replace;
 }
-
-}  // namespace
 
 bool MarkingGesture::handle(ExplorerModel& model, const PlotAxis& x, const PlotAxis& y, const PlotView& view,
                             MarkingTool tool) {

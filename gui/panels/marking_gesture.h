@@ -3,7 +3,12 @@
 #include "gui/marking_outline.h"
 #include "gui/plot_view.h"
 
+struct ImGuiIO;
+
 namespace patina {
+
+/// What becomes of the draws that were marked before: Shift adds to them, Ctrl takes away.
+Marking marking_of(const ImGuiIO& io);
 
 /// Marks draws by a drag with the left button over a plot. Shift adds to what is marked, Ctrl takes away.
 class MarkingGesture {

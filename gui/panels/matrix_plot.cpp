@@ -177,7 +177,7 @@ std::optional<MatrixPlot::Place> MatrixPlot::place_at(ImVec2 pixel) const {
 std::optional<MatrixPlot::Pair> MatrixPlot::handle_mouse(ExplorerModel& model, MarkingTool tool) {
   const float count = static_cast<float>(grids_.size());
   ImGui::SetCursorScreenPos(corner_);
-  ImGui::InvisibleButton("cells", {count * cell_.x, count * cell_.y});
+  mouse_area("cells", {count * cell_.x, count * cell_.y});
   const std::optional<Place> under = place_at(ImGui::GetIO().MousePos);
   if (ImGui::IsItemActivated()) pressed_ = under;
   std::optional<Pair> clicked;

@@ -1,5 +1,7 @@
 #include "gui/panels/panel.h"
 
+#include <imgui_internal.h>  // that keys pass an item over
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +12,7 @@ namespace {
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                    ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 float text_width(const std::string& text) {
   return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
@@ -68,8 +69,15 @@ void elided_text(const std::string& text, float width, ImU32 color) {
   if (!fits) tooltip(text);
 }
 
+bool mouse_rests_after_click() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 clicked = io.MouseClickedPos[ImGuiMouseButton_Left];
+  const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y;
+  return x * x + y * y < io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
 void tooltip(const std::string& text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || mouse_rests_after_click()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());
@@ -85,6 +93,20 @@ bool primary_button(const char* label, ImVec2 size) {
   const bool pressed = ImGui::Button(label, size);
   ImGui::PopStyleColor(4);
   return pressed;
+}
+
+bool picture_button(const char* id, ImVec2 size) {
+  const bool pressed = ImGui::InvisibleButton(id, size);
+  if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible)
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), theme::kAccent,
+                                        ImGui::GetStyle().FrameRounding, 0, 2);
+  return pressed;
+}
+
+void mouse_area(const char* id, ImVec2 size, ImGuiButtonFlags buttons) {
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
+  ImGui::InvisibleButton(id, size, buttons);
+  ImGui::PopItemFlag();
 }
 
 bool toggle_button(const char* label, bool on) {

@@ -41,11 +41,20 @@ void muted_text(const std::string& text);
 /// One line of text, its middle left out where it is too long for `width`; the whole in a tooltip then.
 void elided_text(const std::string& text, float width, ImU32 color);
 
-/// A tooltip for the item before, in a box of readable width.
+/// Whether the mouse is still where it clicked: whoever clicked knows, and wants to see what came of it.
+bool mouse_rests_after_click();
+
+/// A tooltip for the item before, in a box of readable width; not while mouse_rests_after_click().
 void tooltip(const std::string& text);
 
 /// A button in the accent colour: what to do next.
 bool primary_button(const char* label, ImVec2 size = {0, 0});
+
+/// A button that shows what is drawn over it, and whether the keys are on it.
+bool picture_button(const char* id, ImVec2 size);
+
+/// Where the mouse draws, drags and clicks; keys pass it over.
+void mouse_area(const char* id, ImVec2 size, ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft);
 
 /// One of a few buttons of which one is on; the others are plain text.
 bool toggle_button(const char* label, bool on);

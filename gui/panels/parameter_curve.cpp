@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gui/panels/panel.h"
 #include "gui/theme.h"
 
 namespace patina {
@@ -54,7 +55,7 @@ void draw_bars(ImDrawList& list, const Field& field, std::span<const std::uint32
 bool draw_parameter_curve(const char* id, const ParameterCurve& curve) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(1.0f, ImGui::GetContentRegionAvail().x), 1.25f * ImGui::GetTextLineHeight()};
-  const bool clicked = ImGui::InvisibleButton(id, size);
+  const bool clicked = picture_button(id, size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Field field{corner, size, curve.range};
   const ImU32 ground = ImGui::IsItemHovered() ? theme::kLine : theme::kWell;
@@ -69,7 +70,7 @@ bool draw_parameter_curve(const char* id, const ParameterCurve& curve) {
 bool draw_lock(const char* id, bool locked) {
   const float line = ImGui::GetTextLineHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton(id, {line, line});
+  const bool clicked = picture_button(id, {line, line});
   const ImU32 color = locked ? theme::kAccent : ImGui::IsItemHovered() ? theme::kText : theme::kLine;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float x = corner.x + 0.5f * line, y = corner.y + 0.55f * line, half = 0.26f * line;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include "engine/run/verdict.h"
+#include "gui/advice.h"
 #include "gui/panels/parameter_curve.h"
 #include "gui/theme.h"
 #include "gui/words.h"
@@ -12,8 +14,7 @@
 namespace patina {
 namespace {
 
-constexpr double kNotPinnedDown = 0.9;  // posterior sd / prior sd, above which the photo says nothing
-constexpr double kGoodRhat = 1.01, kBadRhat = 1.1;
+constexpr double kBadRhat = 1.1;
 
 const QuantitySummary* find(const std::optional<RunSummary>& summary, const std::string& name) {
   if (!summary) return nullptr;
@@ -22,8 +23,6 @@ const QuantitySummary* find(const std::optional<RunSummary>& summary, const std:
       std::find_if(all.begin(), all.end(), [&](const QuantitySummary& q) { return q.name == name; });
   return it != all.end() && std::isfinite(it->mean) ? &*it : nullptr;
 }
-
-bool not_pinned_down(const QuantitySummary& quantity) { return quantity.sd_over_prior_sd > kNotPinnedDown; }
 
 void draw_knowledge(const QuantitySummary* quantity) {
   if (quantity == nullptr) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gui/clipping.h"
+#include "gui/panels/keys.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
@@ -20,6 +21,11 @@ double field_of_view(const Capture& capture) {
 
 /// What is shown: the whole photo where it is known.
 const Image& shown_image(const Photo& photo) { return photo.whole.empty() ? photo.image : photo.whole; }
+
+/// Pixels a side at which a run compares its renders with the photo.
+int resolution_of(const Session& session) {
+  return session.has_run() ? session.run().settings().resolution : session.settings().resolution;
+}
 
 ImGuiMouseCursor cursor_of(CropHandle handle) {
   switch (handle) {
@@ -59,6 +65,7 @@ void PhotoPanel::follow(const Session& session) {
   clipped_share_ = covered_share(overlay);
   version_ = session.photo_version();
   handle_ = CropHandle::none;
+  by_keys_.reset();
 }
 
 const Texture* PhotoPanel::compared(const Session& session) {
@@ -90,7 +97,7 @@ void PhotoPanel::draw_controls(const PanelContext& context) {
   RunChoices& choices = context.session.choices();
   const Capture capture = choices.settings().capture;
   const Photo& photo = context.session.photo();
-  ImGui::SetNextItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
+  ImGui::SetNextItemWidth(0.46f * ImGui::GetContentRegionAvail().x);
   double view = field_of_view(capture);
   if (ImGui::InputDouble("##view", &view, 0, 0, "%.1f\u00b0 field of view",
                          ImGuiInputTextFlags_EnterReturnsTrue) &&
@@ -109,6 +116,25 @@ void PhotoPanel::draw_controls(const PanelContext& context) {
   ImGui::Checkbox("Clipped", &shows_clipped_);
   tooltip("Marks what is too bright for the camera, " + number_text(100 * clipped_share_, 2) +
           " % of the picture: its true brightness is not known (C)");
+  ImGui::SameLine();
+  ImGui::Checkbox("Seen", &shows_seen_);
+  tooltip("The square as the run sees it: " + std::to_string(resolution_of(context.session)) +
+          " pixels a side. What is finer than that cannot be found out (V)");
+}
+
+void PhotoPanel::draw_seen(const Session& session) {
+  const Photo& photo = session.photo();
+  if (!shows_seen_ || !session.photo_is_current()) return;
+  const std::pair version(session.photo_version(), resolution_of(session));
+  if (!seen_ || version != seen_version_)
+    seen_ = Texture::picture(gl_, resized(photo.image, std::min(version.second, photo.image.width)));
+  seen_version_ = version;
+  const PhotoCrop& crop = photo.crop;
+  const float scale = place_.size.x / static_cast<float>(photo.original_width);
+  const ImVec2 low{place_.position.x + scale * static_cast<float>(crop.x),
+                   place_.position.y + scale * static_cast<float>(crop.y)};
+  const float side = scale * static_cast<float>(crop.side);
+  ImGui::GetWindowDrawList()->AddImage(seen_->imgui_id(), low, {low.x + side, low.y + side});
 }
 
 void PhotoPanel::draw_picture(const PanelContext& context, const Rect& room) {
@@ -118,14 +144,53 @@ void PhotoPanel::draw_picture(const PanelContext& context, const Rect& room) {
   if (place_.size.x < 1 || place_.size.y < 1) return;
   const ImVec2 corner = place_.position, end{corner.x + place_.size.x, corner.y + place_.size.y};
   ImGui::SetCursorScreenPos(corner);
-  ImGui::InvisibleButton("photo", place_.size);
+  mouse_area("photo", place_.size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(picture_->imgui_id(), corner, end);
+  draw_seen(session);
   if (shows_clipped_) list.AddImage(clipped_->imgui_id(), corner, end);
   if (photo.whole.empty()) return tooltip("What the run compares its renders with");
   const float scale = place_.size.x / static_cast<float>(photo.original_width);
   handle_drag(context, scale);
-  draw_square(handle_ != CropHandle::none ? dragged_ : session.chosen_crop(), scale);
+  handle_keys(context);
+  draw_square(by_keys_ ? *by_keys_ : handle_ != CropHandle::none ? dragged_ : session.chosen_crop(), scale);
+  if (by_keys_) draw_help();
+}
+
+void PhotoPanel::draw_help() const {
+  const char* help = "Arrows move, + and - resize,\nEnter keeps, Esc leaves";
+  const float pad = 0.4f * ImGui::GetFontSize();
+  const ImVec2 size = ImGui::CalcTextSize(help);
+  const ImVec2 corner{place_.position.x + pad, place_.position.y + place_.size.y - size.y - 3 * pad};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + size.x + 2 * pad, corner.y + size.y + 2 * pad},
+                     IM_COL32(0, 0, 0, 190), pad);
+  list.AddText({corner.x + pad, corner.y + pad}, IM_COL32_WHITE, help);
+}
+
+void PhotoPanel::take_keys(const Session& session, bool taken) {
+  by_keys_.reset();
+  if (taken) by_keys_ = session.chosen_crop();
+}
+
+void PhotoPanel::handle_keys(const PanelContext& context) {
+  if (!by_keys_ || keys_are_elsewhere()) return;
+  Session& session = context.session;
+  const int width = session.photo().original_width, height = session.photo().original_height;
+  const ImGuiIO& io = ImGui::GetIO();
+  const int step = std::max(1, std::min(width, height) / (io.KeyShift ? 300 : 40));
+  const ImVec2 arrows = pressed_arrows();
+  if (arrows.x != 0 || arrows.y != 0)
+    by_keys_ = dragged_crop(*by_keys_, CropHandle::inside, step * arrows.x, step * arrows.y, width, height);
+  const auto typed = [&](char character) {
+    return static_cast<int>(io.InputQueueCharacters.contains(static_cast<ImWchar>(character)));
+  };
+  if (const int grown = typed('+') + typed('=') - typed('-'); grown != 0)
+    by_keys_ = resized_crop(*by_keys_, 2 * step * grown, width, height);
+  if (!enter_pressed()) return;
+  if (*by_keys_ != session.chosen_crop())
+    context.commands.push_back([&session, crop = *by_keys_] { session.crop_to(crop); });
+  by_keys_.reset();
 }
 
 void PhotoPanel::handle_drag(const PanelContext& context, float scale) {

@@ -25,6 +25,13 @@ class PhotoPanel {
 
   void show_clipped(bool shown) { shows_clipped_ = shown; }
   bool shows_clipped() const { return shows_clipped_; }
+  void show_seen(bool shown) { shows_seen_ = shown; }  ///< the square as coarse as the run compares it
+  bool shows_seen() const { return shows_seen_; }
+
+  /// Moves the square by keys from now on, or no more and leaves it as it was: arrows move it, by less with
+  /// Shift, + and - resize it, Enter keeps it.
+  void take_keys(const Session& session, bool taken);
+  bool takes_keys() const { return by_keys_.has_value(); }
 
   /// Where the photo was in the last frame.
   const Rect& place() const { return place_; }
@@ -35,8 +42,11 @@ class PhotoPanel {
                        const std::function<void()>& ask_to_open);
   void draw_controls(const PanelContext& context);
   void draw_picture(const PanelContext& context, const Rect& room);
+  void draw_help() const;
   void draw_square(const PhotoCrop& crop, float scale) const;
+  void draw_seen(const Session& session);
   void handle_drag(const PanelContext& context, float scale);
+  void handle_keys(const PanelContext& context);
 
   const Gl& gl_;
   std::optional<Texture> picture_;  ///< the whole photo, or the square where there is nothing else
@@ -46,9 +56,13 @@ class PhotoPanel {
   std::pair<int, int> compared_version_{0, 0};  ///< run and photo
   double clipped_share_ = 0;                    ///< of the picture's pixels
   bool shows_clipped_ = false;
+  std::optional<Texture> seen_;
+  std::pair<int, int> seen_version_{0, 0};  ///< photo and pixels a side
+  bool shows_seen_ = false;
   Rect place_;
   CropHandle handle_ = CropHandle::none;  ///< while it is dragged
   PhotoCrop start_, dragged_;
+  std::optional<PhotoCrop> by_keys_;  ///< the square while keys move it
 };
 
 }  // namespace patina

@@ -24,7 +24,7 @@ void draw_comparison(PreviewView& view) {
     }
     ImGui::EndCombo();
   }
-  tooltip("How to set the render against the photo (R, W, S, D, F)");
+  tooltip("How to set the render against the photo (R, W, N, D, F)");
 }
 
 void draw_exposure(PreviewView& view) {

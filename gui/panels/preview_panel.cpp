@@ -64,8 +64,7 @@ void PreviewPanel::draw_picture(const Rect& room, const Texture* photo) {
                         lacks ? "This material has no such map" : "The first render appears in a moment");
   }
   ImGui::SetCursorScreenPos(square_.position);
-  ImGui::InvisibleButton("render", square_.size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  mouse_area("render", square_.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   handle_mouse(photo != nullptr);
   draw_comparison(*picture, photo, pixels);
 }

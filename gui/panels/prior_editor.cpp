@@ -1,5 +1,6 @@
 #include "gui/panels/prior_editor.h"
 
+#include "gui/panels/field_row.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
@@ -17,12 +18,7 @@ void PriorEditor::open(const std::string& parameter, ImVec2 point) {
 }
 
 bool PriorEditor::edit(const char* label, double& value, double span, const char* what) {
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  tooltip(what);
-  ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
+  begin_field(label, what);
   const bool changed = ImGui::DragScalar(("##" + std::string(label)).c_str(), ImGuiDataType_Double, &value,
                                          static_cast<float>(span) / 300, nullptr, nullptr, "%.4g");
   if (ImGui::IsItemActivated()) new_gesture_ = true;

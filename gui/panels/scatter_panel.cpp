@@ -45,6 +45,17 @@ void ScatterPanel::draw(const PanelContext& context, const Rect& rect, const Gal
   thumbnails_.serve();
 }
 
+void ScatterPanel::show(Show what) {
+  if (what != show_) take_keys(false);
+  show_ = what;
+}
+
+void ScatterPanel::take_keys(bool taken) {
+  if (taken && show_ != Show::trace) show_ = Show::plot;
+  plot_.take_keys(taken && show_ == Show::plot);
+  trace_.plot().take_keys(taken && show_ == Show::trace);
+}
+
 void ScatterPanel::draw_plots(const PanelContext& context) {
   ExplorerModel& model = context.session.model();
   draw_choices(model);
@@ -60,7 +71,7 @@ void ScatterPanel::draw_plots(const PanelContext& context) {
 void ScatterPanel::draw_tabs() {
   const auto tab = [&](const char* label, Show show, const char* hint) {
     ImGui::SameLine();
-    if (toggle_button(label, show_ == show)) show_ = show;
+    if (toggle_button(label, show_ == show)) this->show(show);
     tooltip(hint);
   };
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});

@@ -25,7 +25,10 @@ class ScatterPanel {
   void draw(const PanelContext& context, const Rect& rect, const GalleryActions& actions);
 
   Show shown() const { return show_; }
-  void show(Show what) { show_ = what; }
+  void show(Show what);
+  /// Marks draws by keys from now on, in one plot or the trace, or no more.
+  void take_keys(bool taken);
+  bool takes_keys() const { return plot_.takes_keys() || trace_.plot().takes_keys(); }
   void take(MarkingTool tool) { tool_ = tool; }  ///< to mark draws with
   void show_marked_ranges() { marked_.show_ranges(); }
   bool busy() const { return show_ == Show::pairs && matrix_.busy(); }  ///< another frame should follow

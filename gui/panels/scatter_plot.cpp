@@ -30,6 +30,11 @@ bool is_continuous(const PlotAxis& axis) {
   return axis.kind == PlotAxis::Kind::continuous || axis.kind == PlotAxis::Kind::log_posterior;
 }
 
+std::string empty_text(const Session& session) {
+  const bool none = is_over(session.status().phase) && session.status().read_fraction == 1;
+  return none ? "This run ended before its first draw" : "The first draws appear here in a moment";
+}
+
 /// How many independent draws there are for the worse known of two axes.
 std::optional<double> independent_draws(const Session& session, const PlotAxis& x, const PlotAxis& y) {
   if (!session.summary()) return std::nullopt;
@@ -66,14 +71,16 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   if (model.shows_contours()) draw_contours(context.session);
   draw_marks(model);
   marking_.draw(view_);
+  cursor_.draw(view_, subject.tool);
   list.PopClipRect();
   draw_tick_labels(view_, model.table(), subject.x, subject.y);
   const float bars = kBarRoom * ImGui::GetFontSize();
   if (subject.x.kind != PlotAxis::Kind::iteration) draw_bars_above(view_, x_bars_, bars);
   draw_bars_beside(view_, y_bars_, bars);
   if (model.draws().size() == 0)
-    centred_hint({corner, {view_.width, view_.height}}, "The first draws appear here in a moment");
+    centred_hint({corner, {view_.width, view_.height}}, empty_text(context.session));
   handle_mouse(context.session, subject.tool);
+  cursor_.handle(model, contents_.x, contents_.y, view_, subject.tool, kClickReach * ImGui::GetFontSize());
 }
 
 void ScatterPlot::place_plot(const Rect& rect) {
@@ -105,13 +112,17 @@ void ScatterPlot::follow_draws(const Session& session, const PlotSubject& subjec
     if (!same_plane) {
       following_ = true;
       marking_.cancel();
+      cursor_.end();
       view_.x = padded(x);
       view_.y = padded(y);
     }
   }
+  // The first draws are not to be lost in the prior's range, which was shown until they came.
+  const bool has_draws = model.draws().size() > 0, first = has_draws && !had_draws_;
+  had_draws_ = has_draws;
   if (following_) {
-    view_.x = followed(view_.x, x);
-    view_.y = followed(view_.y, y);
+    view_.x = first ? padded(x) : followed(view_.x, x);
+    view_.y = first ? padded(y) : followed(view_.y, y);
   }
 }
 
@@ -215,8 +226,8 @@ std::optional<std::size_t> ScatterPlot::hit(const ExplorerModel& model, float re
 void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
   ExplorerModel& model = session.model();
   ImGui::SetCursorScreenPos({view_.left, view_.top});
-  ImGui::InvisibleButton("plot", {view_.width, view_.height},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  mouse_area("plot", {view_.width, view_.height},
+             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   // The second click of two is an order to show all.
   if (marking_.handle(model, contents_.x, contents_.y, view_, tool) &&
@@ -241,7 +252,7 @@ void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
     view_.y = padded(model.default_range(contents_.y));
     following_ = true;
   }
-  if (marking_.active()) return;
+  if (marking_.active() || mouse_rests_after_click()) return;
   if (const auto draw = hit(model, kHoverReach))
     draw_hover(session, thumbnails_, *draw, contents_.x, contents_.y);
 }

@@ -8,6 +8,7 @@
 #include "gui/draw_colours.h"
 #include "gui/gl/point_renderer.h"
 #include "gui/histogram.h"
+#include "gui/panels/marking_cursor.h"
 #include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
 #include "gui/plot_view.h"
@@ -33,6 +34,10 @@ class ScatterPlot {
   /// @param beneath  draws what lies between the ground and the points; may be empty
   void draw(const PanelContext& context, const Rect& rect, const PlotSubject& subject,
             const std::function<void(const PlotView&)>& beneath = {});
+
+  /// Marks draws by keys from now on, or no more.
+  void take_keys(bool taken) { taken ? cursor_.begin(view_) : cursor_.end(); }
+  bool takes_keys() const { return cursor_.active(); }
 
   /// Where the plot was in the last frame, and what it showed.
   const PlotView& view() const { return view_; }
@@ -66,11 +71,13 @@ class ScatterPlot {
   Contents contents_;
   PlotView view_;
   bool following_ = true;    ///< the view follows the draws until the user moves it
+  bool had_draws_ = false;   ///< in the frame before
   std::size_t sent_ = 0;     ///< draws given to the renderer
   std::size_t counted_ = 0;  ///< draws in the bars
   Histogram x_bars_, y_bars_;
   CredibleRegions regions_;
   MarkingGesture marking_;
+  MarkingCursor cursor_;
 };
 
 }  // namespace patina

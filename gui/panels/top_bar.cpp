@@ -75,7 +75,7 @@ void draw_top_bar(const PanelContext& context, const Rect& rect,
   ImGui::SetNextWindowSize(rect.size);
   ImGui::Begin("##top", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   draw_contents(context, recent, commands);
   ImGui::End();

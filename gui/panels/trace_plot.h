@@ -15,6 +15,7 @@ class TracePlot {
   TracePlot(const Gl& gl, Thumbnails& thumbnails) : plot_(gl, thumbnails) {}
   void draw(const PanelContext& context, const Rect& rect, MarkingTool tool);
 
+  ScatterPlot& plot() { return plot_; }
   const ScatterPlot& plot() const { return plot_; }
 
  private:

@@ -26,7 +26,7 @@ class BadInput : public CliTest {
 };
 
 TEST_F(BadInput, Usage) {
-  refused({}, "fit, render");
+  refused({}, "fit, compare");
   refused({"nosuch"}, "command");
   refused({"fit"}, "PHOTO");
   refused({"summarize"}, "RUN_DIR");
@@ -47,7 +47,6 @@ TEST_F(BadInput, SettingsOfAFit) {
   const std::string good = photo();
   refused({"fit", good, "--out", path("run")}, "--material");
   refused({"fit", good, "--material", "nosuch", "--out", path("run")}, "nosuch");
-  refused({"fit", good, "--material", "auto", "--out", path("run")}, "bump, leather");
   refused(fit(good, {"--draws", "-5"}), "-5");
   refused(fit(good, {"--draws", "many"}), "--draws");
   refused(fit(good, {"--network", good}), "");

@@ -102,6 +102,32 @@ TEST_F(AppBehaviour, TheLightThemeIsLightAndItsTextDark) {
   EXPECT_EQ(window_->screenshot().at(5, 300, 1), dark);
 }
 
+TEST_F(AppBehaviour, PointsTakeTheThemesColours) {
+  start_run_of({draw(0.3, 0.5, -1), draw(0.5, 0.4, -2, 3)});
+  app_.session().model().colour_by({Colouring::Kind::chain, {}});
+  const auto colour = [&](std::size_t draw) {
+    frames(3);
+    const Image shot = window_->screenshot();
+    const ImVec2 at = pixel_of(draw);
+    std::array<float, 3> rgb{};
+    for (int c = 0; c < 3; ++c)
+      rgb[static_cast<std::size_t>(c)] = shot.at(static_cast<int>(at.y), static_cast<int>(at.x), c);
+    return rgb;
+  };
+  for (int theme = 0; theme < 2; ++theme) {
+    const auto seen = colour(1);
+    const ImU32 point = theme::chain_color(3), ground = theme::kWell;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto part = [&](ImU32 color) { return static_cast<double>(color >> (8 * c) & 255) / 255; };
+      const double alpha = 200.0 / 255;
+      // A line of the grid may lie beneath.
+      EXPECT_NEAR(seen[c], alpha * part(point) + (1 - alpha) * part(ground), 0.05) << "theme " << theme;
+    }
+    action("Light or dark theme").run();
+  }
+  frames(3);
+}
+
 /// Text and what lies behind it differ enough to be read (WCAG 2.1, AA), in both themes.
 TEST_F(AppBehaviour, TextCanBeReadInBothThemes) {
   const auto luminance = [](ImU32 color) {

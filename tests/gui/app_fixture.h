@@ -41,11 +41,12 @@ class AppTest : public ::testing::Test {
       run_->status.phase = RunPhase::sampling;
       return std::make_unique<FakeSource>(run_, settings, table_, photo.image, directory);
     };
-    factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
+    factory.open = [this](const std::filesystem::path& directory, auto) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
         throw UserError("There is no run in this directory; open another one.");
       return std::make_unique<FakeSource>(run_, RunSettings(), table_, Image(64, 64, 3), directory);
     };
+    factory.rank = [this](auto&&...) { return ranking_; };
     return factory;
   }
 
@@ -115,6 +116,7 @@ class AppTest : public ::testing::Test {
   TemporaryFolder folder_;
   std::filesystem::path photo_ = folder_.path() / "oak.png";
   std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();
+  std::optional<MaterialRanking> ranking_;  ///< what a search for the material comes to
   ParameterTable table_ = material_table("bump");
   std::unique_ptr<OffscreenWindow> window_ = OffscreenWindow::make(1280, 800);
   App app_{*window_, factory(), folder_.path() / "runs"};

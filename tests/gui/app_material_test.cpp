@@ -74,6 +74,32 @@ TEST_F(AppMaterial, TheBarsFollowTheDraws) {
   EXPECT_GT(change, 2);
 }
 
+TEST_F(AppMaterial, TheSearchForTheMaterialEndsInAListToChooseFrom) {
+  MaterialRanking ranking;
+  for (const char* name : {"leather", "plaster", "bump"}) {
+    RankedMaterial material;
+    material.material = name;
+    material.probability = 0.4;
+    ranking.materials.push_back(material);
+  }
+  ranking.sentence = "leather or plaster.";
+  ranking_ = ranking;
+  app_.load(photo_);
+  frames(2);
+  for (const Action& action : app_.actions())
+    if (action.name == "Material: find out which it is") action.run();
+  ASSERT_TRUE(frames_until([&] { return app_.session().hint() != nullptr; }));
+  EXPECT_EQ(choices().settings().material, "leather");
+  frames(4);
+  const auto place = app_.material().hint().place_of("plaster");
+  ASSERT_TRUE(place) << "the list opens by itself: it was waited for";
+  click(*place);
+  EXPECT_EQ(choices().settings().material, "plaster");
+  press('Z', ImGuiKeyModFlags_Ctrl);
+  press('Z', ImGuiKeyModFlags_Ctrl);
+  EXPECT_EQ(choices().settings().material, "bump") << "each choice is one step back";
+}
+
 TEST_F(AppMaterial, AnotherMaterialShowsItsParametersAndTheRunsDrawsStay) {
   start_run_of({draw(0.25, 0.5, -3)});
   app_.session().choices().set_material("leather");

@@ -36,12 +36,31 @@ TEST_F(AppPanels, PauseResumeAndStopReachTheRun) {
   EXPECT_EQ(run_->pauses, 1);
   click(foot(layout().chains, 0.25f));
   EXPECT_EQ(run_->resumes, 1);
-  click(foot(layout().chains, 0.75f));
+  click(foot(layout().chains, 0.55f));
   EXPECT_EQ(run_->stops, 1);
   EXPECT_TRUE(app_.session().can_go_on());
-  click(foot(layout().chains, 0.75f));
+  click(foot(layout().chains, 0.55f));
   EXPECT_EQ(run_->stops, 1) << "a run that has ended cannot be stopped again";
   EXPECT_EQ(app_.session().status().phase, RunPhase::sampling) << "it was continued";
+}
+
+TEST_F(AppPanels, ARunThatIsStillBeingReadSaysHowFarAndCanBeClosed) {
+  std::filesystem::create_directories(folder_.path() / "run");
+  std::ofstream(folder_.path() / "run" / "run.json") << "{}";
+  run_->status.phase = RunPhase::finished;
+  app_.load(folder_.path() / "run");
+  const auto panel = [&](double read) {
+    run_->status.read_fraction = read;
+    frames(3);
+    return part_of(window_->screenshot(), layout().chains);
+  };
+  const Image early = panel(0.3), late = panel(0.6), done = panel(1);
+  EXPECT_GT(mean_difference(early, late), 1e-4) << "the bar grows";
+  EXPECT_GT(mean_difference(late, done), 1e-3) << "then comes what is known of the chains";
+  panel(0.3);
+  click(foot(layout().chains, 0.5f));
+  EXPECT_FALSE(app_.session().has_run());
+  EXPECT_TRUE(app_.session().has_photo());
 }
 
 TEST_F(AppPanels, SpacePausesAndResumes) {

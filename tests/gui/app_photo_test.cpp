@@ -156,5 +156,49 @@ TEST_F(AppPhoto, APhotoThatIsGoneWhenItIsCroppedAgainSaysSoAndKeepsItsSquare) {
   EXPECT_EQ(app_.session().photo().crop, (PhotoCrop{40, 0, 80}));
 }
 
+TEST_F(AppPhoto, ShowsTheSquareAsCoarseAsTheRunSeesIt) {
+  // Stripes that the window can show, of a period below two of the run's 192 pixels a side.
+  Image fine(1024, 1024, 3);
+  for (int row = 0; row < 1024; ++row)
+    for (int column = 0; column < 1024; ++column)
+      for (int c = 0; c < 3; ++c) fine.at(row, column, c) = column % 8 < 4 ? 1.0f : 0.0f;
+  write_image(folder_.path() / "fine.png", fine);
+  app_.load(folder_.path() / "fine.png");
+  const auto spread = [&] {
+    frames(2);
+    const Image shown = part_of(window_->screenshot(), app_.photo_panel().place());
+    float low = 1, high = 0;
+    for (int row = shown.height / 4; row < 3 * shown.height / 4; ++row)
+      for (int column = shown.width / 4; column < 3 * shown.width / 4; ++column) {
+        low = std::min(low, shown.at(row, column, 0));
+        high = std::max(high, shown.at(row, column, 0));
+      }
+    return high - low;
+  };
+  app_.photo_panel().show_seen(true);
+  EXPECT_LT(spread(), 0.1f) << "an even grey";
+  app_.photo_panel().show_seen(false);
+  EXPECT_GT(spread(), 0.1f);
+}
+
+TEST_F(AppPhoto, APhotoOfTheCommandLineIsReadBehindTheFirstFramesThenItsRunStarts) {
+  app_.open_and_start(photo_);
+  EXPECT_TRUE(app_.loading());
+  EXPECT_FALSE(app_.session().has_photo());
+  ASSERT_TRUE(frames_until([&] { return app_.session().has_run(); }));
+  EXPECT_EQ(app_.session().photo_name(), "oak");
+  app_.open(photo_);
+  ASSERT_TRUE(frames_until([&] { return !app_.loading(); }));
+  frames(2);
+  EXPECT_FALSE(app_.session().has_run()) << "a photo that is opened by hand waits for Start";
+}
+
+TEST_F(AppPhoto, APhotoThatCannotBeReadStartsNothing) {
+  app_.open_and_start(folder_.path() / "nothing.jpg");
+  ASSERT_TRUE(frames_until([&] { return app_.banner().visible(); }));
+  frames(2);
+  EXPECT_FALSE(app_.session().has_run());
+}
+
 }  // namespace
 }  // namespace patina::testing

@@ -7,6 +7,7 @@
 
 #include "engine/run/draw_queue.h"
 #include "engine/run/draw_source.h"
+#include "gui/plot_axis.h"
 #include "gui/run_factory.h"
 
 namespace patina::testing {
@@ -60,6 +61,9 @@ inline ParameterTable small_table() {
   table.discrete = {{"cells", "", {"fine", "coarse"}}};
   return table;
 }
+
+inline constexpr PlotAxis kX{PlotAxis::Kind::continuous, 0}, kY{PlotAxis::Kind::continuous, 1},
+    kCells{PlotAxis::Kind::discrete, 0};
 
 inline Draw draw_at(double x, double y, double lp, bool warmup = false, int chain = 0, int level = 0) {
   Draw draw;

@@ -12,9 +12,9 @@ namespace patina {
 namespace {
 
 using testing::draw_at;
+using testing::kCells;
+using testing::kX;
 using testing::small_table;
-
-const PlotAxis kX{PlotAxis::Kind::continuous, 0}, kCells{PlotAxis::Kind::discrete, 0};
 
 /// CIE lightness of a colour, 0 to 100 (IEC 61966-2-1 and CIE 15).
 double lightness(ImU32 color) {

@@ -111,7 +111,8 @@ ExplorerModel gaussian_draws(int count, double sd_x, double sd_y, double correla
   return model;
 }
 
-const PlotAxis kX{PlotAxis::Kind::continuous, 0}, kY{PlotAxis::Kind::continuous, 1};
+using testing::kX;
+using testing::kY;
 
 TEST(CredibleRegions, OfACorrelatedGaussianHoldTheirSharesAndHaveItsShape) {
   const double correlation = 0.8;

@@ -13,11 +13,11 @@ namespace patina {
 namespace {
 
 using testing::draw_at;
+using testing::kCells;
+using testing::kX;
+using testing::kY;
 using testing::small_table;
 
-const PlotAxis kX{PlotAxis::Kind::continuous, 0};
-const PlotAxis kY{PlotAxis::Kind::continuous, 1};
-const PlotAxis kCells{PlotAxis::Kind::discrete, 0};
 const PlotAxis kLp{PlotAxis::Kind::log_posterior, 0};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 

@@ -12,10 +12,9 @@ namespace patina {
 namespace {
 
 using testing::draw_at;
+using testing::kX;
+using testing::kY;
 using testing::small_table;
-
-const PlotAxis kX{PlotAxis::Kind::continuous, 0};
-const PlotAxis kY{PlotAxis::Kind::continuous, 1};
 
 std::set<std::size_t> random_set(std::mt19937& rng) {
   std::set<std::size_t> set;

@@ -54,6 +54,18 @@ TEST_F(RunChoicesTest, AnEditedPriorIsInTheTableAndWithinWhatTheMaterialAllows) 
   EXPECT_TRUE(choices_.settings().priors.empty());
 }
 
+TEST_F(RunChoicesTest, StopRulesAreTakenUpOrRefusedWithASentence) {
+  const RunSettings before = choices_.settings();
+  choices_.set_stop_rules({.minutes = 30, .ess = 1000, .rhat = 0});
+  EXPECT_EQ(choices_.settings().stop.ess, 1000);
+  EXPECT_FALSE(choices_.differ_from(before)) << "another end is no other question";
+  EXPECT_THROW(choices_.set_stop_rules({.minutes = 0, .ess = 0, .rhat = 1}), UserError);
+  EXPECT_THROW(choices_.set_stop_rules({.minutes = std::nan(""), .ess = 0, .rhat = 0}), UserError);
+  EXPECT_EQ(choices_.settings().stop.minutes, 30);
+  choices_.undo();
+  EXPECT_EQ(choices_.settings().stop, before.stop);
+}
+
 TEST_F(RunChoicesTest, APriorThatIsTheMaterialsOwnIsNoChange) {
   const RunSettings before = choices_.settings();
   choices_.set_prior("rough", own("rough"), true);

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <random>
 #include <thread>
 
 #include "engine/error.h"
 #include "engine/io/image_file.h"
 #include "engine/material/registry.h"
+#include "gui/advice.h"
 #include "gui/session.h"
 #include "gui/shown_draw.h"
 #include "tests/gui/fake_source.h"
@@ -37,6 +39,7 @@ class SessionTest : public ::testing::Test {
                            const std::filesystem::path& directory, auto) {
       if (refuse_) throw UserError("Refused for the test.");
       started_ = settings;
+      if (factory_makes_directories_) std::filesystem::create_directories(directory);
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
     factory.resume = [this](const RunSettings& settings, const Photo& photo,
@@ -44,7 +47,7 @@ class SessionTest : public ::testing::Test {
       resumed_ = settings;
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
-    factory.open = [this](const std::filesystem::path& directory) -> std::unique_ptr<DrawSource> {
+    factory.open = [this](const std::filesystem::path& directory, auto) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
         throw UserError("There is no run in " + directory.string() + ".");
       return std::make_unique<FakeSource>(run_, RunSettings(), testing::small_table(), Image(40, 40, 3),
@@ -58,7 +61,7 @@ class SessionTest : public ::testing::Test {
   std::shared_ptr<FakeRun> run_ = std::make_shared<FakeRun>();
   RunSettings started_;
   std::optional<RunSettings> resumed_;
-  bool refuse_ = false;
+  bool refuse_ = false, factory_makes_directories_ = false;
   Session session_{factory(), folder_.path() / "runs", {}};
 };
 
@@ -75,6 +78,75 @@ TEST_F(SessionTest, StartsARunOfTheChosenMaterialInADirectoryNamedAfterThePhoto)
   const auto directory = session_.run().directory();
   EXPECT_EQ(directory.parent_path(), folder_.path() / "runs");
   EXPECT_TRUE(directory.filename().string().starts_with("oak door-leather-")) << directory;
+}
+
+TEST_F(SessionTest, GoesOnFromADrawWithEveryChainInsideWhatIsAssumedNow) {
+  session_.open(photo_);
+  RunChoices& choices = session_.choices();
+  const ParameterTable& table = choices.table();
+  ParameterValues values = prior_location(table);
+  const std::size_t rough = *table.find_continuous("rough");
+  values.continuous[rough] = 0.9;
+  choices.set_prior("rough", {0.3, 0.1, 0.2, 0.4}, true);
+  choices.lock("light", 1000);
+  session_.start_at(values);
+  EXPECT_EQ(started_.start, "values");
+  EXPECT_LT(started_.start_at.at("rough"), 0.4);
+  EXPECT_GT(started_.start_at.at("rough"), 0.399);
+  EXPECT_EQ(started_.start_at.at("albedo_r"), values.continuous[*table.find_continuous("albedo_r")]);
+  EXPECT_EQ(started_.fixed.at("light"), 1000);
+  session_.start();
+  EXPECT_EQ(started_.start, "map") << "to start afresh forgets it";
+}
+
+TEST_F(SessionTest, TellsWhichParameterThePhotoLeavesOpen) {
+  session_.open(photo_);
+  session_.start();
+  // The prior of both is N(0.5, 0.2): the draws of rough are spread like it, those of fsigma much less.
+  std::mt19937 rng(3);
+  std::normal_distribution<double> normal;
+  int made = 0;
+  const auto feed = [&](int count) {
+    std::vector<Draw> draws;
+    for (int i = 0; i < count; ++i, ++made) {
+      draws.push_back(draw_at(std::clamp(0.5 + 0.2 * normal(rng), 0.0, 1.0), 0.5 + 0.02 * normal(rng), 0,
+                              false, made % 4));
+      draws.back().iteration = made / 4;
+    }
+    run_->feed(draws);
+  };
+  const auto judged = [&](std::int64_t draws) {
+    session_.poll();
+    return session_.summary() && session_.summary()->chains.front().draws == draws / 4;
+  };
+  const auto wait = [&](std::int64_t draws) {
+    for (int i = 0; i < 1500 && !judged(draws); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return judged(draws);
+  };
+  const auto held = [&] { return frozen_by(advice_for_next_run(session_)); };
+  feed(40);
+  ASSERT_TRUE(wait(40));
+  EXPECT_TRUE(held().empty()) << "too few draws to say so";
+  feed(1160);
+  ASSERT_TRUE(wait(1200));
+  ASSERT_EQ(held().size(), 1u);
+  const double value = held().at("rough");
+  EXPECT_NEAR(value, 0.5, 5 * 0.2 / std::sqrt(1200));
+  EXPECT_EQ(holdable_text(advice_for_next_run(session_)), "The photo leaves open: Roughness");
+  session_.choices().set_material("leather");
+  EXPECT_TRUE(advice_for_next_run(session_).empty()) << "of another material nothing is known";
+  session_.choices().undo();
+
+  run_->status.best = prior_location(session_.choices().table());
+  run_->status.best_lp = 1;
+  session_.poll();
+  const int steps = static_cast<int>(session_.choices().steps());
+  session_.hold_and_go_on(held());
+  EXPECT_EQ(started_.fixed, (std::map<std::string, double>{{"rough", value}}));
+  EXPECT_EQ(started_.start, "values");
+  EXPECT_EQ(session_.choices().steps(), steps + 1);
+  EXPECT_TRUE(advice_for_next_run(session_).empty()) << "the new run has to draw first";
 }
 
 TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
@@ -98,6 +170,41 @@ TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
   session_.poll();
   session_.go_on();
   EXPECT_EQ(resumed_->draws, 2 * started_.draws);
+}
+
+TEST_F(SessionTest, ChoosesTheMaterialThatIsFoundAndKeepsWhyWithTheRun) {
+  RankSettings asked;
+  RunFactory factory = this->factory();
+  factory.rank = [&](const Image& photo, const RankSettings& settings, auto&&...) {
+    EXPECT_EQ(photo.width, 40);
+    asked = settings;
+    RankedMaterial leather;
+    leather.material = "leather";
+    leather.match = prior_location(material_table("leather"));
+    return std::optional(MaterialRanking{{leather}, "gram", "leather, the only one compared."});
+  };
+  Session session(factory, folder_.path() / "runs", {});
+  session.open(photo_);
+  session.choices().set_size_cm(12);
+  session.find_material();
+  for (int i = 0; i < 1000 && session.hint() == nullptr; ++i) {
+    session.poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_NE(session.hint(), nullptr);
+  EXPECT_EQ(asked.capture.size_cm, 12);
+  EXPECT_EQ(session.settings().material, "leather");
+  session.start();  // the fake run makes no directory: that its reasons cannot be kept does not end it
+  EXPECT_TRUE(session.has_run());
+  factory_makes_directories_ = true;
+  session.start();
+  EXPECT_TRUE(std::filesystem::exists(session.run().directory() / "ranking.json"));
+  session.choices().set_size_cm(13);
+  EXPECT_EQ(session.hint(), nullptr) << "of another size it says nothing";
+  session.choices().undo();
+  EXPECT_NE(session.hint(), nullptr);
+  session.open(photo_);
+  EXPECT_EQ(session.hint(), nullptr) << "of another photo it says nothing";
 }
 
 TEST_F(SessionTest, TakesInEveryDrawOnce) {

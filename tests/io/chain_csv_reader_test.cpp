@@ -52,6 +52,21 @@ TEST_F(ChainCsvReading, GivesBackExactlyWhatWasWritten) {
   }
 }
 
+TEST_F(ChainCsvReading, LeavesTheRestForLaterOnceThereAreEnough) {
+  const std::string text = write_chain(4, 20'000);
+  ChainCsvReader reader(path());
+  Rows all;
+  for (int portions = 0; !reader.closed(); ++portions) {
+    ASSERT_LT(portions, 20);
+    const Rows rows = reader.read_new(2000);
+    EXPECT_LT(rows.size(), 6000u) << "a portion is not the whole";
+    EXPECT_LE(reader.bytes_read(), std::ssize(text));
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  expect_rows(all, 4, 20'004);
+  EXPECT_GT(reader.bytes_read(), std::ssize(text) - 10) << "all but the footer";
+}
+
 TEST_F(ChainCsvReading, ExtremeNumbersSurvive) {
   using Limits = std::numeric_limits<double>;
   ChainCsvWriter writer(path(), header(0, 1));

@@ -34,6 +34,11 @@ class PriorFile : public testing::Test {
     return text.replace(text.find(from), from.size(), to);
   }
 
+  /// The good file with one more field of its first parameter.
+  std::string with_field_of_light(const std::string& field, const std::string& value) const {
+    return with("[1, 2, 0, 5]", "[1, 2, 0, 5], \"" + field + "\": " + value);
+  }
+
   void expect_refusal(const std::string& text, const std::string& field) const {
     try {
       read(text);
@@ -71,6 +76,20 @@ TEST_F(PriorFile, GoodOneIsReadAsItStands) {
   EXPECT_EQ(table.find_continuous("iSigma"), 1u);
   EXPECT_EQ(table.find_continuous("isigma"), std::nullopt);
   EXPECT_EQ(table.find_discrete("cells"), 0u);
+}
+
+TEST_F(PriorFile, APriorMayGrowWithTheCamerasDistance) {
+  EXPECT_EQ(read(kGood).continuous[0].camera_power, 0);
+  EXPECT_EQ(read(with_field_of_light("camera_power", "2")).continuous[0].camera_power, 2);
+  expect_refusal(with_field_of_light("camera_power", "\"2\""), "'light'");
+  expect_refusal(with_field_of_light("camera_power", "40"), "'light'");
+}
+
+TEST_F(PriorFile, WhatAParameterScalesMayBeAbsentSomewhereInItsRange) {
+  EXPECT_EQ(read(kGood).continuous[0].off, std::nullopt);
+  EXPECT_EQ(read(with_field_of_light("off", "0")).continuous[0].off, 0);
+  expect_refusal(with_field_of_light("off", "-1"), "'light'");
+  expect_refusal(with_field_of_light("off", "null"), "'light'");
 }
 
 TEST_F(PriorFile, NotJsonIsRefused) {

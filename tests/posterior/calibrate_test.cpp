@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "engine/material/renderer.h"
-#include "engine/posterior/synthetic_likelihood.h"
-#include "engine/sampling/map_search.h"
 
 namespace patina {
 namespace {
 
 constexpr int kResolution = 32;
+constexpr CalibrationSettings kFew{.pilot = 200, .first = 100, .later = 120, .most_rounds = 2};
 
 /// Of cheap renders.
 Posterior small_posterior(const std::string& material, const Image& photo) {
@@ -31,17 +30,20 @@ Image photo_of_prior_location(const std::string& material) {
   return photographed(renderer.render(prior_location(renderer.table()), side), camera, rng);
 }
 
-SimulationSettings few() { return {.photos = 100, .rounds = 2, .camera = {}, .seed = 1}; }
+Calibration calibration_of(const Posterior& posterior, int threads = 1) {
+  const auto pool = make_pool(posterior.table(), 100);
+  const Simulator simulator{.posterior = posterior, .pool = *pool, .camera = {}, .threads = threads};
+  return calibrate(simulator, Pilot(simulator, kFew.pilot), kFew);
+}
 
-Eigen::MatrixXd identity(const Posterior& of) {
-  return 0.25 * Eigen::MatrixXd::Identity(of.dimension(), of.dimension());
+Posterior calibrated(const Posterior& posterior) {
+  return posterior.with(std::make_shared<const SyntheticLikelihood>(calibration_of(posterior).likelihood));
 }
 
 TEST(Calibrate, LeavesPlacesAndLevelsTheirPrior) {
   const Posterior paper = small_posterior("plaster", photo_of_prior_location("plaster"));
   const Position centre = paper.position(prior_location(paper.table()));
-  const auto pool = make_pool(paper.table(), 100);
-  const Posterior posterior = paper.calibrated_around(centre, identity(paper), few(), *pool);
+  const Posterior posterior = calibrated(paper);
   EXPECT_TRUE(posterior.jagged().empty());
   const auto likelihood = [](const Posterior& of, const Position& at) {
     return of.value(at).log_density + 0.5 * at.continuous.squaredNorm();
@@ -63,24 +65,28 @@ TEST(Calibrate, LeavesPlacesAndLevelsTheirPrior) {
   EXPECT_EQ(posterior.value(other).log_density, posterior.value(centre).log_density);
 }
 
-TEST(Calibrate, IsTheSameWheneverItIsDone) {
+TEST(Calibrate, IsTheSameOnAnyNumberOfThreads) {
   const Posterior paper = small_posterior("bump", photo_of_prior_location("bump"));
-  const Position centre = paper.position(prior_location(paper.table()));
-  const auto once = make_pool(paper.table(), 100), again = make_pool(paper.table(), 100);
-  const CalibratedPosterior a = calibrate(paper, centre, identity(paper), few(), *once);
-  const CalibratedPosterior b = calibrate(paper, centre, identity(paper), few(), *again);
-  EXPECT_EQ(a.mode.continuous, b.mode.continuous);
-  EXPECT_EQ(a.at_mode.log_density, b.at_mode.log_density);
+  const Calibration one = calibration_of(paper, 1), two = calibration_of(paper, 2);
+  EXPECT_EQ(one.mode, two.mode);
+  EXPECT_EQ(one.likelihood.evaluate(one.mode).log_density, two.likelihood.evaluate(one.mode).log_density);
+}
+
+TEST(Calibrate, FindsTheLightAndColourThatAPhotoWasTakenWith) {
+  const Posterior paper = small_posterior("bump", photo_of_prior_location("bump"));
+  const Position truth = paper.position(prior_location(paper.table()));
+  const Calibration found = calibration_of(paper);
+  for (const char* name : {"light", "albedo_r", "albedo_g", "albedo_b"}) {
+    const auto i = static_cast<Eigen::Index>(*paper.table().find_continuous(name));
+    const double sd = std::sqrt(found.covariance(i, i));
+    EXPECT_LT(std::abs(found.mode[i] - truth.continuous[i]), 4 * sd) << name;
+    EXPECT_LT(sd, 1) << name;
+  }
 }
 
 TEST(Calibrate, SaysThatAPhotoOfAnotherMaterialDoesNotFit) {
-  const auto fit_of = [](const std::string& photographed) {
-    const Posterior paper = small_posterior("bump", photo_of_prior_location(photographed));
-    const Position centre = paper.position(prior_location(paper.table()));
-    const auto pool = make_pool(paper.table(), 100);
-    return *calibrate(paper, centre, identity(paper), few(), *pool).posterior.fit();
-  };
-  const PhotoFit own = fit_of("bump"), other = fit_of("translucent");
+  const PhotoFit own = calibration_of(small_posterior("bump", photo_of_prior_location("bump"))).fit;
+  const PhotoFit other = calibration_of(small_posterior("bump", photo_of_prior_location("translucent"))).fit;
   EXPECT_LT(own.distance, other.distance / 2);
   EXPECT_LT(other.p, 0.05);
   EXPECT_GT(other.widening, own.widening);

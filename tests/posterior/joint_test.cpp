@@ -11,6 +11,7 @@
 #include "engine/material/renderer.h"
 #include "engine/posterior/posterior.h"
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/prior_draw.h"
 #include "engine/sampling/rng.h"
 #include "tests/sampling/statistics.h"
 
@@ -31,14 +32,6 @@ Posterior small_posterior(const std::string& material) {
   settings.mean_sigma = 0.2;  // wide enough that a few transitions cross the posterior
   const Renderer renderer(material, 1, Capture{});
   return Posterior(settings, renderer.render(prior_location(renderer.table()), 16));
-}
-
-Position prior_draw(const Posterior& posterior, Rng& rng) {
-  const std::vector<int> levels = posterior.discrete_levels();
-  Position position{rng.normals(posterior.dimension()), Eigen::VectorXi(std::ssize(levels))};
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    position.discrete[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
-  return position;
 }
 
 /// A summary as it would be seen. @param sd  of its errors; 1 is what the posterior assumes

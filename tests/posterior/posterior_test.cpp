@@ -40,9 +40,24 @@ Position at_prior_draw(const Posterior& posterior, Rng& rng, double spread) {
 
 class EveryMaterial : public testing::TestWithParam<std::string> {};
 
-// The whole chain at once: transform, material, shading, display curve, network, Gram, error model. The
-// render is float32 and has kinks (clamps), so a coordinate may disagree now and then; a wrong gradient
-// disagrees always.
+/// Whether a central difference agrees with the derivative along a coordinate, by one of a ladder of steps:
+/// wide ones straddle kinks, narrow ones drown in the rounding of a float32 render. A wrong derivative fits
+/// none.
+bool agrees_by_some_step(const Posterior& posterior, const Position& centre, Eigen::Index i,
+                         double derivative, double tolerance, double scale) {
+  for (const double h : {3e-3, 5e-4, 5e-5}) {
+    Position up = centre, down = centre;
+    up.continuous[i] += h, down.continuous[i] -= h;
+    const double difference = (posterior.value(up).log_density - posterior.value(down).log_density) / (2 * h);
+    if (std::abs(difference - derivative) < tolerance * (std::abs(difference) + 0.1 * scale)) return true;
+  }
+  return false;
+}
+
+// The whole chain at once: transform, material, shading, display curve, network, Gram, error model. At a kink
+// (a clamp) or where wood's rings are finer than a pixel a coordinate may disagree now and then; a wrong
+// gradient disagrees always. Jagged coordinates wrinkle at every scale that float32 resolves, so that for
+// them only that is asked here (tests/material has them in double).
 TEST_P(EveryMaterial, LogDensityGradientAgreesWithFiniteDifferences) {
   const Posterior posterior(settings_for(GetParam()), synthetic_photo(GetParam(), 2));
   Rng rng(7);
@@ -54,22 +69,15 @@ TEST_P(EveryMaterial, LogDensityGradientAgreesWithFiniteDifferences) {
     const Evaluation evaluation = posterior.evaluate_with_whole_gradient(centre);
     ASSERT_TRUE(std::isfinite(evaluation.log_density));
     const double scale = 1 + evaluation.gradient.cwiseAbs().maxCoeff();
-    for (Eigen::Index i = 0; i < posterior.dimension(); ++i) {
-      // Along jagged coordinates a step must be narrower than the wrinkles, and rounding shows more.
-      const bool wrinkled = jagged[static_cast<std::size_t>(i)];
-      const double h = wrinkled ? 5e-5 : 3e-3, tolerance = wrinkled ? 0.1 : 0.03;
-      Position up = centre, down = centre;
-      up.continuous[i] += h, down.continuous[i] -= h;
-      const double difference =
-          (posterior.evaluate(up).log_density - posterior.evaluate(down).log_density) / (2 * h);
-      const double error = std::abs(difference - evaluation.gradient[i]);
+    for (Eigen::Index i = 0; i < posterior.dimension(); ++i)
       agreements[static_cast<std::size_t>(i)] +=
-          error < tolerance * std::abs(difference) + 0.1 * tolerance * scale;
-    }
+          agrees_by_some_step(posterior, centre, i, evaluation.gradient[i],
+                              jagged[static_cast<std::size_t>(i)] ? 0.1 : 0.03, scale);
   }
   std::vector<std::string> free;
   for (const Parameter& parameter : posterior.table().continuous) free.push_back(parameter.name);
-  for (std::size_t i = 0; i < agreements.size(); ++i) EXPECT_GE(agreements[i], kPoints - 1) << free[i];
+  for (std::size_t i = 0; i < agreements.size(); ++i)
+    EXPECT_GE(agreements[i], jagged[i] ? 2 : kPoints - 1) << free[i];
 }
 
 TEST_P(EveryMaterial, GradientIsZeroAlongJaggedCoordinatesAndElsewhereWhole) {

@@ -58,14 +58,21 @@ class ResumeTest : public CheapChainsTest {
     return interruptions;
   }
 
+  /// Takes up the run, stops it on the way and returns the state file of its first chain.
+  std::filesystem::path stop_on_the_way(const std::filesystem::path& directory) {
+    const std::filesystem::path file = chain_state_file(directory, 0);
+    do take_up_until(500, /*kill=*/false, directory);  // its thread may be the last to begin
+    while (!std::filesystem::exists(file));
+    return file;
+  }
+
   /// The finished chain of a run in whose state, after a stop on the way, something is changed; and of the
   /// undisturbed run.
   template <typename Change>
   std::pair<std::string, std::string> with_and_without(Change change) {
     take_up(folder_ / "a");
     const auto disturbed = folder_ / "b";
-    take_up_until(500, /*kill=*/false, disturbed);
-    const auto file = chain_state_file(disturbed, 0);
+    const auto file = stop_on_the_way(disturbed);
     auto checkpoint = read_checkpoint(file, "key", target_, settings_);
     EXPECT_TRUE(checkpoint);
     if (!checkpoint) return {};
@@ -151,8 +158,7 @@ TEST_F(ResumeTest, DamagedStatesAreRefusedWithASentenceAndNeverChangeADraw) {
 TEST_F(ResumeTest, AForgedStateWithARightChecksumIsStillNotBelieved) {
   for (const int temper : {0, 3}) {
     settings_.temper = temper;
-    const auto directory = folder_ / std::to_string(temper), file = chain_state_file(directory, 0);
-    take_up_until(500, /*kill=*/false, directory);
+    const auto file = stop_on_the_way(folder_ / std::to_string(temper));
     const auto payload = read_state(file, "key");
     ASSERT_TRUE(payload);
     std::mt19937 random(5);

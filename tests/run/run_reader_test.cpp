@@ -89,6 +89,22 @@ TEST_F(OpenRun, ReadsBackAllThatAFinishedRunIs) {
   }
 }
 
+TEST_F(OpenRun, ComesInPortionsWithoutPauseToThoseWhoAskForThem) {
+  RunSettings asked = settings();
+  asked.draws = 3000;
+  draws_to_the_end(*start(asked));
+  const auto run = open_run(directory(), 100);
+  std::vector<Draw> draws = run->take_draws();
+  EXPECT_LT(draws.size(), 2u * (40 + 3000)) << "a few hundred lines of each chain";
+  EXPECT_GT(run->status().read_fraction, 0);
+  EXPECT_LT(run->status().read_fraction, 1);
+  const auto begin = std::chrono::steady_clock::now();
+  while (run->status().read_fraction < 1)
+    for (Draw& draw : run->take_draws()) draws.push_back(std::move(draw));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_EQ(draws.size(), 2u * (40 + 3000));
+}
+
 TEST_F(OpenRun, FollowsARunOfAnotherProcessAndKeepsEveryWholeRowAfterItIsKilled) {
   CliProcess fit(endless_fit(photo_file(), directory()), folder_);
   ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(directory() / "run.json"); }));

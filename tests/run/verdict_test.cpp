@@ -22,7 +22,7 @@ QuantitySummary quantity(const std::string& name, double rhat, double ess, doubl
 TEST(Verdict, SaysWhatIsFurthestFromGoodAndWhichChainStandsApart) {
   RunSummary summary;
   summary.quantities = {quantity("fine", 1.001, 900, 0.2), quantity("slow", 1.03, 150, 0.3),
-                        quantity("slower", 1.2, 300, 0.3), quantity("prior", 2, 5, 0.95)};
+                        quantity("slower", 1.2, 300, 0.3), quantity("prior", 1.09, 5, 0.95)};
   summary.directions = {{"fine + slow", {}, 0.5, 900, 900, 1.005}, {"slow - slower", {}, 0.3, 50, 50, 1.3}};
   EXPECT_EQ(furthest_from_good(summary)->name, "slower");
   const std::string text = verdict(summary);
@@ -32,12 +32,19 @@ TEST(Verdict, SaysWhatIsFurthestFromGoodAndWhichChainStandsApart) {
 
 TEST(Verdict, IsGoodOnlyWhenEveryIdentifiedParameterIs) {
   RunSummary summary;
-  summary.quantities = {quantity("a", 1.0099, 401, 0.2), quantity("not pinned down", 2, 5, 0.95)};
+  summary.quantities = {quantity("a", 1.0099, 401, 0.2), quantity("not pinned down", 1.09, 5, 0.95)};
   EXPECT_NE(verdict(summary).find("The chains agree"), std::string::npos) << verdict(summary);
   summary.quantities.push_back(quantity("b", 1.005, 399, 0.2));
   EXPECT_EQ(verdict(summary).find("The chains agree"), std::string::npos) << "too few effective draws";
   summary.quantities.back() = quantity("b", 1.011, 900, 0.2);
   EXPECT_EQ(verdict(summary).find("The chains agree"), std::string::npos) << "R-hat";
+}
+
+TEST(Verdict, ChainsThatSitApartAreNotTakenForAParameterThatThePhotoLeavesOpen) {
+  RunSummary summary;
+  summary.quantities = {quantity("a", 1.0099, 401, 0.2), quantity("shift", 2, 5, 1.3)};
+  EXPECT_EQ(furthest_from_good(summary)->name, "shift");
+  EXPECT_FALSE(chains_agree(summary));
 }
 
 TEST(Verdict, OfNothingThatCanBeJudgedSaysSo) {

@@ -228,5 +228,16 @@ TEST(Warmup, that_straightens_a_bent_ridge_makes_an_evaluation_worth_several) {
   EXPECT_GT(worth(MetricKind::curved), 3 * worth(MetricKind::dense));
 }
 
+TEST(Straightened, energy_is_that_of_the_targets_own_density_whatever_the_map) {
+  const FunctionTarget target = bent_ridge();
+  const auto walk = make_kernel("mh", target, 1, 0.3), hmc = make_kernel("hmc", target, 1);
+  const SampleSettings settings{.warmup = 500, .draws = 200, .metric = MetricKind::curved};
+  const Sample walked = sample(target, *walk, settings), travelled = sample(target, *hmc, settings);
+  ASSERT_TRUE(walked.frozen.straightening && travelled.frozen.straightening);
+  EXPECT_EQ(walked.energy, -walked.log_density) << "there is no momentum";
+  const Eigen::ArrayXXd kinetic = travelled.energy + travelled.log_density;
+  EXPECT_NEAR(kinetic.mean(), 0.5 * static_cast<double>(target.dimension()), 0.2);
+}
+
 }  // namespace
 }  // namespace patina

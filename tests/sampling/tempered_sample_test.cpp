@@ -114,7 +114,7 @@ TEST(SampleTempered, depends_on_its_seed_alone_and_counts_what_it_evaluates) {
   settings.warmup = 0;
   evaluations = 0;
   const long of_sample = sample_tempered(counted, *kernel, settings, 4).sample.evaluations;
-  EXPECT_EQ(evaluations, of_sample + 3 * 4) << "beside the starts";
+  EXPECT_EQ(evaluations, of_sample + 3 * 4 + settings.noise_repeats) << "starts, and a look at its noise";
 }
 
 TEST(SampleTempered, refuses_what_is_no_ladder_and_a_prior_that_never_meets_the_target) {

@@ -1,4 +1,4 @@
-// The bundled network as a statistic of textures, and the two files that make-network makes.
+// The bundled network: the file, what its summary sees, and whom it agrees with; and what make-network makes.
 #include <ATen/TensorOperators.h>
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/avg_pool2d.h>
@@ -13,12 +13,14 @@
 #include <numbers>
 
 #include "engine/image.h"
+#include "engine/io/file.h"
 #include "engine/io/image_file.h"
 #include "engine/summary/network.h"
 #include "engine/summary/summary.h"
-#include "resources/networks/bundled_design.h"
 #include "resources/networks/distilled_vgg.h"
 #include "resources/networks/gram_distance.h"
+#include "resources/networks/held_out.h"
+#include "tests/summary/gradients.h"
 #include "tests/summary/network_files.h"
 
 namespace patina {
@@ -51,20 +53,67 @@ at::Tensor blurred(const at::Tensor& image) {
   return at::avg_pool2d(at::reflection_pad2d(image.unsqueeze(0), {1, 1, 1, 1}), {3, 3}, {1, 1}).squeeze(0);
 }
 
-class BundledNetwork : public NetworkFiles {
- protected:
-  std::shared_ptr<const Summary> bundled() const { return make_summary("gram", file(bundled_design())); }
-};
+std::filesystem::path distilled_weights() {
+  return std::filesystem::path(PATINA_SHARED_DIR) / "weights" / "vgg19_distilled_16x.safetensors";
+}
 
-TEST_F(BundledNetwork, IsTheOneThatTheProgramMakes) {
-  const SafeTensors made = bundled_design(), shipped = read_safetensors(bundled_network());
-  EXPECT_EQ(made.metadata, shipped.metadata);
-  ASSERT_EQ(made.tensors.size(), shipped.tensors.size());
-  for (const auto& [name, tensor] : made.tensors) {
-    ASSERT_TRUE(shipped.tensors.contains(name)) << name;
-    ASSERT_EQ(shipped.tensors.at(name).sizes(), tensor.sizes()) << name;
-    EXPECT_TRUE(shipped.tensors.at(name).allclose(tensor, 1e-6, 1e-7)) << name;
+class BundledNetwork : public NetworkFiles {};
+
+std::shared_ptr<const Summary> bundled() { return make_summary("gram", {}); }
+
+TEST_F(BundledNetwork, IsTheFileThatTheReadmeDescribesAndSmall) {
+  const std::string bytes = read_file(bundled_network());
+  const std::filesystem::path readme =
+      std::filesystem::path(PATINA_SOURCE_DIR) / "resources/networks/README.md";
+  EXPECT_NE(read_file(readme).find(sha256_hex(bytes)), std::string::npos) << sha256_hex(bytes);
+  EXPECT_LE(bytes.size(), 2'000'000u);
+  EXPECT_EQ(Network::load(bundled_network()).name(), "patina-1");
+}
+
+TEST_F(BundledNetwork, HasFewDeadChannelsAndGramMatricesOfOneOrder) {
+  const at::NoGradGuard no_grad;
+  const std::vector<at::Tensor> images = held_out_renders(/*draws_per_material=*/2, 128).images;
+  const Network network = Network::load(bundled_network());
+  std::vector<at::Tensor> power(5);  // mean square of each channel, by tap, over all images
+  for (const at::Tensor& image : images) {
+    const std::vector<at::Tensor> features = network.features(image);
+    ASSERT_EQ(features.size(), power.size());
+    for (std::size_t tap = 0; tap < power.size(); ++tap) {
+      const at::Tensor mine = features[tap].square().mean({1, 2}) / static_cast<double>(images.size());
+      power[tap] = power[tap].defined() ? power[tap] + mine : mine;
+    }
   }
+  for (const at::Tensor& tap : power) {
+    EXPECT_LE((tap < 1e-4 * tap.mean()).sum().item<int>(), tap.size(0) / 16) << "dead of " << tap.size(0);
+    EXPECT_GT(tap.sum().item<double>(), 0.2);
+    EXPECT_LT(tap.sum().item<double>(), 5.0);
+  }
+}
+
+TEST_F(BundledNetwork, ItsSummarysGradientIsThatOfFiniteDifferences) {
+  EXPECT_LT(gradient_error(*bundled(), 64, 3e-4), 0.02);
+  EXPECT_LT(gradient_error(*bundled(), 64, 3e-4), 0.7 * gradient_error(*bundled(), 64, 3e-3)) << "kinks";
+}
+
+/// Spearman's correlation of two summaries' distances over the pairs of some images.
+double rank_correlation(const Summary& a, const Summary& b, const LabelledImages& images) {
+  const at::NoGradGuard no_grad;
+  std::vector<double> by_a, by_b;
+  for (const auto& [i, j] : held_out_pairs(images.materials, 1000, 1)) {
+    by_a.push_back(gram_distance(a, images.images[i], images.images[j]));
+    by_b.push_back(gram_distance(b, images.images[i], images.images[j]));
+  }
+  return spearman(by_a, by_b);
+}
+
+TEST_F(BundledNetwork, RanksHeldOutRendersAsTheDistilledVggDoes) {
+  const std::filesystem::path weights = distilled_weights();
+  if (!std::filesystem::exists(weights)) GTEST_SKIP() << "no weights at " << weights;
+  const auto vgg = make_summary("gram", file(describe_distilled_vgg(read_safetensors(weights))));
+  const LabelledImages images = held_out_renders(/*draws_per_material=*/3, 128);
+  EXPECT_GT(rank_correlation(*bundled(), *vgg, images), 0.94);
+  EXPECT_LT(rank_correlation(*make_summary("means", {}), *vgg, images), 0.9)
+      << "the control: colour is not enough";
 }
 
 TEST_F(BundledNetwork, SeesWhatATextureIsAndNotWhereItLies) {
@@ -104,8 +153,7 @@ at::Tensor to_tensor(const Image& image) {
 }
 
 TEST_F(BundledNetwork, AFileCanDescribeADistilledVggWhoseDistanceIsThatOfItsPythonReference) {
-  const std::filesystem::path shared = PATINA_SHARED_DIR;
-  const std::filesystem::path weights = shared / "weights" / "vgg19_distilled_16x.safetensors";
+  const std::filesystem::path weights = distilled_weights();
   if (!std::filesystem::exists(weights)) GTEST_SKIP() << "no weights at " << weights;
   if (output_of("/usr/bin/python3 -c 'import numpy, PIL; print(1)' 2>/dev/null") != "1\n")
     GTEST_SKIP() << "needs python3-numpy and python3-pil";
@@ -117,8 +165,9 @@ TEST_F(BundledNetwork, AFileCanDescribeADistilledVggWhoseDistanceIsThatOfItsPyth
     write_image(path, image);
   }
   const std::string line =
-      output_of("/usr/bin/python3 " + (shared / "tools/appearance_distance.py").string() + " " + a.string() +
-                " " + b.string());
+      output_of("/usr/bin/python3 " +
+                (std::filesystem::path(PATINA_SHARED_DIR) / "tools/appearance_distance.py").string() + " " +
+                a.string() + " " + b.string());
   double expected = -1;
   ASSERT_EQ(std::sscanf(line.c_str(), "texture %lf", &expected), 1) << line;
   const auto summary = make_summary("gram", file(describe_distilled_vgg(read_safetensors(weights))));

@@ -155,6 +155,11 @@ void Desktop::press(const std::string& key) const {
     throw std::runtime_error("xdotool cannot type");
 }
 
+void Desktop::type(const std::string& text) const {
+  if (std::system(("DISPLAY=" + display_ + " xdotool type --delay 60 '" + text + "'").c_str()) != 0)
+    throw std::runtime_error("xdotool cannot type");
+}
+
 bool Desktop::drop(Window window, const std::filesystem::path& file) const {
   XWindowAttributes attributes;
   XGetWindowAttributes(connection_->display, window, &attributes);

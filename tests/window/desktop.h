@@ -31,6 +31,7 @@ class Desktop {
 
   void click(int x, int y) const;            ///< the left button, in pixels of the screen
   void press(const std::string& key) const;  ///< as xdotool names it: "space", "ctrl+o"
+  void type(const std::string& text) const;
 
   /// Drags a file from another program onto the middle of a window and lets it fall there (XDND version 5).
   /// @return whether the window took it

@@ -1,0 +1,77 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/cli/arguments.h"
+#include "engine/cli/command.h"
+#include "engine/cli/print.h"
+#include "engine/cli/ranking_text.h"
+#include "engine/io/photo.h"
+#include "engine/run/ranking_json.h"
+
+namespace patina {
+namespace {
+
+struct Options {
+  std::filesystem::path photo;
+  std::string crop;
+  CaptureArguments capture;
+  RankSettings rank;
+  bool quiet = false, json = false;
+};
+
+int compare(const Options& options) {
+  RankSettings settings = options.rank;
+  settings.capture = options.capture.capture();
+  std::optional<PhotoCrop> crop;
+  if (!options.crop.empty()) crop = parse_crop(options.crop);
+  const Photo photo = load_photo(options.photo, {.crop = crop});
+  if (!options.quiet)
+    for (const std::string& warning : photo.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  const MaterialRanking ranking =
+      rank_materials(photo.image, settings, ranking_progress(options.quiet)).value();
+  options.json ? print(ranking_json(ranking)) : print(ranking_table(ranking));
+  return kDone;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<Options>();
+  RankSettings& rank = options->rank;
+  CLI::App& command = *app.add_subcommand("compare", "Which material a photo shows: all ranked by evidence");
+  command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();
+  command.add_option("--materials", rank.materials, "Those to compare (default: all)")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  command.add_option("--crop", options->crop, "Square of the photo to use, as in fit")->type_name("X,Y,SIDE");
+  options->capture.add_to(command);
+  command.add_option("--summary", rank.summary, "What all are compared by")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--network", rank.network, "Weights of the summary's network (default: bundled)")
+      ->type_name("FILE");
+  command.add_option("--resolution", rank.resolution, "Pixels a side at which renders are compared")
+      ->capture_default_str();
+  command
+      .add_option("--finalists", rank.finalists,
+                  "So many of the best, if they are close, are measured again, with an error (0: none)")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100));
+  command.add_option("--threads", rank.threads, "Threads (default: all)")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", rank.seed, "Seed of the searches and draws")
+      ->capture_default_str()
+      ->check(seed_problem);
+  command.add_option("--z-seed", rank.z_seed, "Seed of the irregularities")
+      ->capture_default_str()
+      ->check(seed_problem);
+  command.add_flag("--quiet", options->quiet, "Print nothing but errors and the result");
+  command.add_flag("--json", options->json, "As one JSON document");
+  command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
+}
+
+}  // namespace patina

@@ -1,0 +1,23 @@
+#include "engine/posterior/region.h"
+
+#include <Eigen/Cholesky>
+
+namespace patina {
+
+Region prior_region(Eigen::Index dimension) {
+  return {Eigen::VectorXd::Zero(dimension), Eigen::MatrixXd::Identity(dimension, dimension)};
+}
+
+Region region_around(const Eigen::VectorXd& centre, const Eigen::MatrixXd& covariance,
+                     const Region& found_by) {
+  // kReach times as far where the covariance is far below the prior's, and the prior's own where it is that.
+  constexpr double kReach = 1.5, kShare = 1 / (kReach * kReach);
+  constexpr double kDoubt = 0.15;  // of the old width
+  const Eigen::MatrixXd doubted =
+      covariance + kDoubt * kDoubt * found_by.factor * found_by.factor.transpose();
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(centre.size(), centre.size());
+  const Eigen::MatrixXd precision = kShare * doubted.llt().solve(one) + (1 - kShare) * one;
+  return {centre, precision.llt().solve(one).llt().matrixL()};
+}
+
+}  // namespace patina

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/posterior/photo_fit.h"
+#include "engine/posterior/posterior.h"
+#include "engine/run/run_settings.h"
+#include "engine/run/run_shared.h"
+#include "engine/sampling/chain_state.h"
+#include "engine/sampling/metric.h"
+
+namespace patina {
+
+class Archive;
+class SyntheticLikelihood;
+
+/// A likelihood that a run has learnt from simulated photos, and how its photo compares with them.
+struct CalibratedErrors {
+  std::shared_ptr<const SyntheticLikelihood> likelihood;
+  PhotoFit fit;
+};
+
+/// @throws ArchiveError
+void serialise(Archive& archive, CalibratedErrors& errors);
+
+/// Whether they can be of a posterior: sizes, numbers that are finite.
+bool fits(const CalibratedErrors& errors, const Posterior& posterior);
+
+/// Calibrated errors with the posterior's mode and Laplace's covariance under them.
+struct CalibratedMode {
+  CalibratedErrors errors;
+  ChainState mode;
+  std::shared_ptr<const Metric> laplace;
+};
+
+/// Simulates, and keeps the status up to date.
+/// @throws RunStopped
+CalibratedMode calibrate_errors(const Posterior& posterior, const RunSettings& settings, RunShared& shared);
+
+}  // namespace patina

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "engine/image.h"
+#include "engine/material/capture.h"
+#include "engine/material/parameter.h"
+
+namespace patina {
+
+struct RunSettings;
+
+/// What a ranking of materials is asked for.
+struct RankSettings {
+  std::vector<std::string> materials;  ///< by name; empty: all
+  Capture capture;
+  int resolution =
+      128;  ///< pixels a side at which renders are compared with the photo: at 64 no grain is left
+  std::string summary = "gram";   ///< the same for all, since evidences compare only on the same data
+  std::filesystem::path network;  ///< empty: the bundled one
+  int finalists = 3;              ///< so many of the best are measured again, with an error; 0: none
+  int particles = 32;             ///< of each of the four islands that measure with
+  int threads = 0;                ///< 0: as many as the machine has
+  std::uint64_t seed = 1;
+  std::uint64_t z_seed = 1;
+};
+
+/// How well one material explains the photo.
+struct RankedMaterial {
+  std::string material;
+  int parameters = 0;  ///< free ones, discrete included: of two that explain alike, fewer are preferred
+  /// Natural logarithm of the likelihood's mean over the prior, constants that all materials share dropped.
+  double log_evidence = 0;
+  std::optional<double> error;  ///< its Monte Carlo standard deviation; none of the first cut's (Laplace)
+  double probability = 0;       ///< among the materials compared, all equally likely beforehand
+  ParameterValues match;        ///< the best that was found
+  /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
+  /// one that does, above kPoorMatch of one that does not.
+  double misfit = 0;
+  /// How far another sample of the same surface would be off, other irregularities at the same parameters:
+  /// what no search can remove. Of the first material alone.
+  std::optional<double> misfit_of_another_sample;
+  double seconds = 0;  ///< of the wall clock
+};
+
+/// All materials that were compared, the preferred first.
+struct MaterialRanking {
+  std::vector<RankedMaterial> materials;
+  std::string summary;   ///< that all were compared by
+  std::string sentence;  ///< the result in plain words
+};
+
+constexpr int kLeastRankResolution = 32;
+constexpr double kPoorMatch = 2;
+
+/// What a run that is to choose its own material asks for: the first cut alone, since weighing the finalists
+/// takes longer than the artist who asked is ready to wait.
+RankSettings first_cut(const RunSettings& settings, const Capture& capture);
+
+/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few
+/// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.
+/// @param photo     square, 3 channels, sRGB in [0,1]
+/// @param progress  called from this thread and others, one at a time, with the share that is done and what
+/// is
+///                  being done, in words; may be empty
+/// @return          nothing after a stop was requested, within one evaluation
+/// @throws UserError for unknown names, sizes and resolutions that cannot be
+std::optional<MaterialRanking> rank_materials(
+    const Image& photo, const RankSettings& settings,
+    const std::function<void(double fraction, const std::string& doing)>& progress = {},
+    std::stop_token stop = {});
+
+}  // namespace patina

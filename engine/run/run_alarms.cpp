@@ -1,0 +1,81 @@
+#include "engine/run/run_alarms.h"
+
+#include <unsupported/Eigen/SpecialFunctions>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "engine/posterior/prior_transform.h"
+#include "engine/run/photo_alarms.h"
+#include "engine/run/threads.h"
+#include "engine/sampling/noise.h"
+
+namespace patina {
+
+Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best,
+                  const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit) {
+  Alarms alarms = photo_alarms(photo);
+  const double noise =
+      value_noise(posterior, best, kNoiseRepeats, hardware_threads(), [] { use_tensor_threads(1); });
+  if (const auto alarm = noise_alarm(noise)) alarms.push_back(*alarm);
+  const auto far = fit ? fit_alarm(*fit, posterior.table().material) : misfit_alarm(posterior.misfit(best));
+  if (far) alarms.push_back(*far);
+  if (const auto alarm = strain_alarm(posterior.table(), posterior.values(best), fixed))
+    alarms.push_back(*alarm);
+  return alarms;
+}
+
+std::optional<Alarm> misfit_alarm(const std::vector<BlockMisfit>& misfits) {
+  const auto worst = std::ranges::max_element(misfits, {}, &BlockMisfit::in_errors);
+  if (worst == misfits.end() || !(worst->in_errors > kFar)) return std::nullopt;
+  char text[256];
+  if (worst->is_colour)
+    std::snprintf(text, sizeof text,
+                  "its colours are off by %.0f of 255 levels, where a good match is off by %.0f",
+                  255 * worst->distance, 255 * worst->distance / worst->in_errors);
+  else
+    std::snprintf(text, sizeof text,
+                  "its texture (%s) is off by %.0f %%, where a good match is off by %.0f %%",
+                  worst->name.c_str(), 100 * worst->distance, 100 * worst->distance / worst->in_errors);
+  return Alarm{"misfit",
+               std::string("The best match is far from the photo: ") + text +
+                   ". Intervals mean little: try another material, or check the size and the crop."};
+}
+
+std::optional<Alarm> fit_alarm(const PhotoFit& fit, const std::string& material) {
+  if (fit.widening <= 1 || fit.p > kRare) return std::nullopt;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "it is %.2g times as far from simulated photos as they are from each other, and intervals "
+                "were widened %.2g-fold",
+                fit.distance, std::sqrt(fit.widening));
+  return Alarm{"misfit", "This photo does not look like " + material +
+                             " within what its irregularities explain: " + text +
+                             ". Try another material, or check the size and the crop."};
+}
+
+std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterValues& best,
+                                  const std::map<std::string, double>& fixed) {
+  double square = 0, furthest = 0, free = 0;
+  std::string of;
+  for (std::size_t i = 0; i < table.continuous.size(); ++i) {
+    const Parameter& parameter = table.continuous[i];
+    if (fixed.contains(parameter.name)) continue;
+    const double u = PriorTransform(parameter.prior).coordinate(best.continuous[i]);
+    square += u * u;
+    ++free;
+    if (std::abs(u) < furthest) continue;
+    furthest = std::abs(u);
+    char value[32];
+    std::snprintf(value, sizeof value, "%.3g", best.continuous[i]);
+    of = parameter.name + " = " + value;
+  }
+  if (free == 0 || Eigen::numext::igammac(free / 2, square / 2) > kUnlikely) return std::nullopt;
+  return Alarm{"strained", "The best match needs parameters that the prior calls unlikely, most of all " +
+                               of +
+                               ": give them a wider --prior if they can be so, or try another material."};
+}
+
+}  // namespace patina

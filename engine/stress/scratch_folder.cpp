@@ -1,0 +1,24 @@
+#include "engine/stress/scratch_folder.h"
+
+#include <stdlib.h>
+
+#include <string>
+#include <system_error>
+
+#include "engine/error.h"
+
+namespace patina {
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "patina-stress-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw UserError("Cannot make a temporary folder: point TMPDIR to a place that can be written.");
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace patina
