@@ -23,6 +23,7 @@ void add_summarize(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_materials(CLI::App& app, Command& chosen);
 void add_chart(CLI::App& app, Command& chosen);
+void add_calibrate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
 void add_compare(CLI::App& app, Command& chosen);
 

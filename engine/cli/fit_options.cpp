@@ -61,6 +61,9 @@ void FitOptions::add_model(CLI::App& command) {
       "NAME");
   add(command, "--network", &RunSettings::network, "Weights of the summary's network (default: bundled)",
       "FILE");
+  add(command, "--errors", &RunSettings::errors,
+      "What renders may be off by: paper (set by hand) or calibrated (learnt from simulated photos, in place "
+      "of a search for the best match)");
   add(command, "--resolution", &RunSettings::resolution,
       "Pixels a side at which renders are compared with the photo");
   capture_.add_to(command);

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   add_export(app, chosen);
   add_materials(app, chosen);
   add_chart(app, chosen);
+  add_calibrate(app, chosen);
   add_stress(app, chosen);
   add_compare(app, chosen);
   try {
@@ -46,11 +47,9 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::RequiredError& error) {
     const bool no_command = app.get_subcommands().empty();
-    return refuse(no_command
-                      ? "Name a command: fit, predict, compare, render, summarize, export, materials, chart or "
-                        "stress "
-                        "(see patina-cli --help)"
-                      : with_help(error.what()),
+    return refuse(no_command ? "Name a command: fit, predict, compare, render, summarize, export, materials, chart, "
+                               "calibrate or stress (see patina-cli --help)"
+                             : with_help(error.what()),
                   kBadInput);
   } catch (const CLI::ParseError& error) {
     return refuse(with_help(error.what()), kBadInput);

@@ -35,7 +35,8 @@ Signature Flake::signature() {
            "flakeNDF", "scale",    "shift_x",  "shift_y",   "weight",    "glowRough", "glowF0_r",
            "glowF0_g", "glowF0_b", "albedo_r", "albedo_g",  "albedo_b",  "iSigma"},
           {},
-          {"scale", "shift_x", "shift_y"}};
+          {"scale", "shift_x", "shift_y"},
+          {"shift_x", "shift_y"}};
 }
 
 Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

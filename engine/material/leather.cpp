@@ -12,7 +12,8 @@ Signature Leather::signature() {
   return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "rough_var", "height", "power", "scale",
            "noise_scale", "shift_x", "shift_y", "iSigma"},
           {{"cells", Irregularities::kMapChoices}, {"noise", Irregularities::kMapChoices}},
-          {"scale", "shift_x", "shift_y"}};
+          {"scale", "shift_x", "shift_y"},
+          {"shift_x", "shift_y"}};
 }
 
 Surface Leather::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,

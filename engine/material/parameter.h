@@ -25,10 +25,13 @@ struct Parameter {
   TruncatedNormal prior;
   double camera_power = 0;         ///< of the camera's distance, that the prior grows with (capture_priors.h)
   std::optional<double> off = {};  ///< where what it scales is not there (off_values.h)
-  bool jagged = false;  ///< a place in a random map: a small step is another surface (LogDensity::jagged)
+  bool jagged = false;  ///< where in a random map: a small step is another surface (LogDensity::jagged)
+  bool place = false;   ///< jagged, and all its values are alike but for the irregularities that they show
 };
 
-/// A discrete parameter: a choice among named levels, all equally likely a priori.
+/// A discrete parameter: a choice among named levels, all equally likely a priori. Every choice of today's
+/// materials is a place, as Parameter has it: one of several maps that are alike but for their
+/// irregularities.
 struct DiscreteParameter {
   std::string name;
   std::string description;

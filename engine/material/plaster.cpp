@@ -13,7 +13,8 @@ Signature Plaster::signature() {
   return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "rough_var", "height", "slope", "scale",
            "shift_x", "shift_y", "iSigma"},
           {{"noise", Irregularities::kMapChoices}},
-          {"scale", "shift_x", "shift_y"}};
+          {"scale", "shift_x", "shift_y"},
+          {"shift_x", "shift_y"}};
 }
 
 Surface Plaster::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,

@@ -30,8 +30,10 @@ class PriorFile {
       table.continuous.push_back(read_parameter(parameter));
     for (const Json& choice : list(json, "choices")) table.discrete.push_back(read_choice(choice));
     check(table, signature);
-    for (Parameter& parameter : table.continuous)
+    for (Parameter& parameter : table.continuous) {
       parameter.jagged = std::ranges::count(signature.jagged, parameter.name) > 0;
+      parameter.place = std::ranges::count(signature.places, parameter.name) > 0;
+    }
     return table;
   }
 

@@ -6,6 +6,7 @@
 #include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,18 +14,22 @@
 #include <vector>
 
 #include "engine/error.h"
-#include "engine/io/photo.h"
 #include "engine/material/capture_priors.h"
 #include "engine/material/material.h"
-#include "engine/material/photograph.h"
 #include "engine/material/registry.h"
 #include "engine/posterior/error_model.h"
+#include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
-#include "engine/summary/image_tensor.h"
+#include "engine/posterior/synthetic_likelihood.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
 namespace {
+
+Eigen::VectorXd to_vector(const at::Tensor& tensor) {
+  const at::Tensor doubles = tensor.to(at::kDouble).contiguous();
+  return Eigen::Map<const Eigen::VectorXd>(doubles.data_ptr<double>(), doubles.numel());
+}
 
 Evaluation outside_support(Eigen::Index dimension) {
   return {-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(dimension)};
@@ -34,33 +39,39 @@ Evaluation outside_support(Eigen::Index dimension) {
 
 struct Posterior::Parts {
   PosteriorSettings settings;
-  std::shared_ptr<const Material> material;
+  ForwardModel model;
   ParameterSpace space;
   std::shared_ptr<const Irregularities> z;
-  std::shared_ptr<const Summary> summary;
   at::Tensor photo_summary;
   at::Tensor inverse_sigma;
+  std::shared_ptr<const SyntheticLikelihood> calibrated;  ///< null: the errors are the hand-set ones
+  std::vector<Eigen::Index> informed;                     ///< coordinates that it is of
 
   Parts(const PosteriorSettings& s, const Image& photo)
       : settings(s),
-        material(make_material(s.material)),
-        space(table_under(material->table(), s.capture), s.priors, s.fixed),
-        z(std::make_shared<const Irregularities>(s.z_seed)),
-        summary(make_summary(s.summary, s.network)) {
-    if (s.resolution < summary->minimum_resolution())
+        model(make_material(s.material), make_summary(s.summary, s.network), s.capture, s.resolution),
+        space(table_under(model.material->table(), s.capture), s.priors, s.fixed),
+        z(std::make_shared<const Irregularities>(s.z_seed)) {
+    const int least = model.summary->minimum_resolution();
+    if (s.resolution < least)
       throw UserError("The resolution " + std::to_string(s.resolution) +
-                      " is too small for this summary: use " + std::to_string(summary->minimum_resolution()) +
-                      " or more.");
-    const at::NoGradGuard no_grad;
-    photo_summary = (*summary)(to_tensor(resized(photo, s.resolution)));
-    inverse_sigma = inverse_sigmas(photo_summary, summary->blocks(), s.gram_sigma, s.mean_sigma);
+                      " is too small for this summary: use " + std::to_string(least) + " or more.");
+    photo_summary = model.summary_of(photo);
+    inverse_sigma = inverse_sigmas(photo_summary, model.summary->blocks(), s.gram_sigma, s.mean_sigma);
   }
 
   /// Summary of the render at parameter values, with its graph.
   at::Tensor summary_at(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    const Surface surface =
-        material->surface(parameters, discrete, *z, settings.capture, settings.resolution);
-    return (*summary)(photograph(surface, settings.capture, settings.resolution, DisplayCurve::srgb));
+    return model.summary_of_render(parameters, discrete, *z);
+  }
+
+  /// Under calibrated errors; nothing is rendered.
+  Evaluation calibrated_evaluation(const Position& position) const {
+    const Evaluation likelihood = calibrated->evaluate(position.continuous(informed));
+    Evaluation evaluation{likelihood.log_density - 0.5 * position.continuous.squaredNorm(),
+                          -position.continuous};
+    evaluation.gradient(informed) += likelihood.gradient;
+    return evaluation;
   }
 
   /// (render - photo) / sigma, with its graph.
@@ -84,6 +95,7 @@ struct Posterior::Parts {
 
   Evaluation evaluate(const Position& position, bool along_jagged) const {
     if (!position.continuous.allFinite()) return outside_support(space.dimension());
+    if (calibrated) return calibrated_evaluation(position);
     const ParameterValues values = space.values(position);
     const std::vector<at::Tensor> parameters = leaves(values, along_jagged);
     const at::Tensor misfit = this->misfit(parameters, values.discrete);
@@ -117,11 +129,8 @@ Posterior::~Posterior() = default;
 Eigen::VectorXd Posterior::predicted(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
-  const at::Tensor whitened =
-      (parts_->summary_at(parts_->leaves(values, false), values.discrete) * parts_->inverse_sigma)
-          .to(at::kDouble)
-          .contiguous();
-  return Eigen::Map<const Eigen::VectorXd>(whitened.data_ptr<double>(), whitened.numel());
+  return to_vector(parts_->summary_at(parts_->leaves(values, false), values.discrete) *
+                   parts_->inverse_sigma);
 }
 
 std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
@@ -129,7 +138,7 @@ std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
   const ParameterValues values = parts_->space.values(position);
   const PosteriorSettings& s = parts_->settings;
   return block_misfits(parts_->residual(parts_->leaves(values, false), values.discrete),
-                       parts_->summary->blocks(), s.gram_sigma, s.mean_sigma);
+                       parts_->model.summary->blocks(), s.gram_sigma, s.mean_sigma);
 }
 
 Posterior Posterior::given(const Eigen::VectorXd& observed) const {
@@ -141,6 +150,38 @@ Posterior Posterior::given(const Eigen::VectorXd& observed) const {
                  at::kDouble)
           .to(at::kFloat) /
       parts_->inverse_sigma;
+  parts->calibrated.reset();
+  return Posterior(std::move(parts));
+}
+
+Eigen::VectorXd Posterior::photo_summary() const { return to_vector(parts_->photo_summary); }
+
+Eigen::VectorXd Posterior::hand_set_errors() const { return to_vector(parts_->inverse_sigma).cwiseInverse(); }
+
+std::vector<bool> Posterior::moments() const {
+  std::vector<bool> moments;
+  for (const SummaryBlock& block : parts_->model.summary->blocks())
+    moments.insert(moments.end(), static_cast<std::size_t>(block.size), block.scale == ErrorScale::relative);
+  return moments;
+}
+
+Eigen::VectorXd Posterior::simulated_summary(const Position& position, const Irregularities& z,
+                                             const Camera& camera, Rng& rng) const {
+  return to_vector(parts_->model.summary_of_photo(values(position), z, camera, rng));
+}
+
+std::vector<Eigen::Index> Posterior::informed() const {
+  std::vector<Eigen::Index> informed;
+  const ParameterSpace& space = parts_->space;
+  for (std::size_t i = 0; i < space.free().size(); ++i)
+    if (!space.table().continuous[space.free()[i]].place) informed.push_back(static_cast<Eigen::Index>(i));
+  return informed;
+}
+
+Posterior Posterior::with(std::shared_ptr<const SyntheticLikelihood> likelihood) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->calibrated = std::move(likelihood);
+  parts->informed = informed();
   return Posterior(std::move(parts));
 }
 
@@ -148,7 +189,9 @@ Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 
 std::vector<int> Posterior::discrete_levels() const { return parts_->space.discrete_levels(); }
 
-std::vector<bool> Posterior::jagged() const { return parts_->space.jagged(); }
+std::vector<bool> Posterior::jagged() const {
+  return parts_->calibrated ? std::vector<bool>{} : parts_->space.jagged();
+}
 
 const ParameterTable& Posterior::table() const { return parts_->space.table(); }
 
@@ -160,6 +203,7 @@ Evaluation Posterior::evaluate(const Position& position) const { return parts_->
 
 Evaluation Posterior::value(const Position& position) const {
   if (!position.continuous.allFinite()) return outside_support(dimension());
+  if (parts_->calibrated) return parts_->calibrated_evaluation(position);
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
   const at::Tensor misfit = parts_->misfit(parts_->leaves(values, false), values.discrete);

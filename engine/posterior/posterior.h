@@ -15,6 +15,11 @@
 
 namespace patina {
 
+class Irregularities;
+class Rng;
+class SyntheticLikelihood;
+struct Camera;
+
 /// What a posterior is made of, beside the photo.
 struct PosteriorSettings {
   std::string material = "bump";
@@ -23,12 +28,12 @@ struct PosteriorSettings {
   std::string summary = "gram";
   std::filesystem::path network;  ///< empty: the bundled one
   std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
-  // Set by hand, as in the paper: the means' as in its fitting code, the Gram matrices' to how far its own fits
-  // stay from their 14 photos, on average a relative distance of 0.267. That is the error of the model, which
-  // no parameters remove. A Gram matrix errs along several directions (the participation ratio of its scatter
-  // over z is 1.2 to 5.2), so that along each 0.12 to 0.24 of it remain; with 0.15 chains on leather_6 settle in
-  // separate peaks (R-hat 1.18), with 0.2 they agree, with 0.27 the priors decide.
-  double gram_sigma = 0.2;  ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
+  // Set by hand, as in the paper: the means' as in its fitting code, the Gram matrices' to how far its own
+  // fits stay from their 14 photos, on average a relative distance of 0.267. That is the error of the model,
+  // which no parameters remove. A Gram matrix errs along several directions (the participation ratio of its
+  // scatter over z is 1.2 to 5.2), so that along each 0.12 to 0.24 of it remain; with 0.15 chains on
+  // leather_6 settle in separate peaks (R-hat 1.18), with 0.2 they agree, with 0.27 the priors decide.
+  double gram_sigma = 0.2;   ///< sd of a Gram matrix's error, relative to the photo's Frobenius norm
   double mean_sigma = 0.02;  ///< sd of a regional mean's error, in display units (5 of 255 levels)
   std::map<std::string, double> fixed;  ///< parameters held at a value (discrete ones: a level index)
   std::map<std::string, TruncatedNormal> priors;  ///< priors that replace the material's own
@@ -64,6 +69,28 @@ class Posterior final : public LogDensity {
   /// stay those of the photo that this posterior was made for, so that predicted() + N(0, I) is a draw from
   /// its sampling distribution to the letter.
   Posterior given(const Eigen::VectorXd& observed) const;
+
+  /// The photo's summary, in the summary's own units.
+  Eigen::VectorXd photo_summary() const;
+
+  /// The sds of the hand-set errors of its entries.
+  Eigen::VectorXd hand_set_errors() const;
+
+  /// Which of its entries are second moments.
+  std::vector<bool> moments() const;
+
+  /// The summary of a photo that a camera takes at a position with other irregularities.
+  Eigen::VectorXd simulated_summary(const Position& position, const Irregularities& z, const Camera& camera,
+                                    Rng& rng) const;
+
+  /// The coordinates that are no places (Parameter::place): what a photo can tell whatever its
+  /// irregularities.
+  std::vector<Eigen::Index> informed() const;
+
+  /// The same posterior with a likelihood that simulations made, of the informed coordinates, in place of
+  /// renders and hand-set errors: it takes microseconds, has no jagged coordinates, and leaves places and
+  /// discrete levels their prior.
+  Posterior with(std::shared_ptr<const SyntheticLikelihood> likelihood) const;
 
   /// How far the render at a position is from the photo, part by part of the summary.
   std::vector<BlockMisfit> misfit(const Position& position) const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/io/photo.h"
+#include "engine/posterior/photo_fit.h"
 #include "engine/run/run_settings.h"
 #include "engine/run/run_status.h"
 #include "engine/run/stop_rules.h"
@@ -41,6 +42,7 @@ struct Manifest {
 
   RunPhase phase = RunPhase::starting;  ///< starting, searching, sampling (warm-up included) or how it ended
   std::string reason;                   ///< one sentence, once it ended
+  std::optional<PhotoFit> photo_fit;    ///< of calibrated errors, once they are
   std::optional<MapPoint> map;
   std::vector<MapPoint> basins;  ///< all that the search ended in, best first; the first is the map
   RunTimes seconds;

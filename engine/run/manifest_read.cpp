@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -105,12 +106,21 @@ std::map<std::string, double> named_numbers(const Json& json, const char* key) {
   return result;
 }
 
+std::string errors(const Json& json) {
+  const std::string name = text(json, "errors");
+  const auto known = error_names();
+  if (std::ranges::find(known, name) == known.end())
+    throw BadField{"the error model '" + name.substr(0, 40) + "' is unknown"};
+  return name;
+}
+
 RunSettings settings(const Json& json) {
   RunSettings s;
   s.resolution = integer(json, "resolution", 1);
   s.summary = text(json, "summary");
   s.network = text(json, "network");
   s.kernel = text(json, "kernel");
+  if (json.contains("errors")) s.errors = errors(json);
   if (json.contains("metric")) s.metric = text(json, "metric");  // runs of the first version have none
   if (json.contains("discrete")) s.discrete = text(json, "discrete");
   s.chains = integer(json, "chains", 1, 10'000);
@@ -143,6 +153,15 @@ std::optional<StopEvidence> evidence(const Json& json) {
   evidence.largest_rhat = number(json, "largest_rhat");
   evidence.largest_rhat_of = text(json, "largest_rhat_of");
   return evidence;
+}
+
+std::optional<PhotoFit> photo_fit(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const PhotoFit fit{positive(json, "distance"), positive(json, "p"), positive(json, "widening"),
+                     number(json, "discrepancy")};
+  if (fit.p > 1 || fit.widening < 1 || (fit.discrepancy != 0 && fit.discrepancy != 1))
+    throw BadField{"'photo_fit' is out of range"};
+  return fit;
 }
 
 MapPoint map_point(const Json& json, const ParameterTable& table) {
@@ -211,6 +230,7 @@ Manifest manifest(const Json& json) {
   if (json.contains("basins"))
     for (const Json& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));
   if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
+  if (json.contains("photo_fit")) m.photo_fit = photo_fit(json["photo_fit"]);
   if (json.contains("alarms")) m.alarms = alarms(json);
   if (json.contains("evidence")) m.evidence = evidence(json["evidence"]);
   return m;

@@ -23,6 +23,7 @@ Json settings_json(const RunSettings& s) {
   return {{"resolution", s.resolution},
           {"summary", s.summary},
           {"network", s.network.string()},
+          {"errors", s.errors},
           {"kernel", s.kernel},
           {"metric", s.metric},
           {"discrete", s.discrete},
@@ -85,6 +86,14 @@ Json evidence_json(const std::optional<StopEvidence>& evidence) {
           {"largest_rhat_of", evidence->largest_rhat_of}};
 }
 
+Json photo_fit_json(const std::optional<PhotoFit>& fit) {
+  if (!fit) return nullptr;
+  return {{"distance", number(fit->distance)},
+          {"p", number(fit->p)},
+          {"widening", number(fit->widening)},
+          {"discrepancy", number(fit->discrepancy)}};
+}
+
 }  // namespace
 
 std::string to_json(const Manifest& m) {
@@ -99,6 +108,7 @@ std::string to_json(const Manifest& m) {
       {"settings", settings_json(m.settings)},
       {"network_sha256", m.network_sha256},
       {"error_model", {{"gram_sigma", m.gram_sigma}, {"mean_sigma", m.mean_sigma}}},
+      {"photo_fit", photo_fit_json(m.photo_fit)},
       {"map", map_json(m)},
       {"basins", basins_json(m)},
       {"alarms", alarms_json(m.alarms)},

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/posterior/posterior.h"
+#include "engine/run/calibrated_errors.h"
 #include "engine/run/chain.h"
 #include "engine/run/manifest.h"
 #include "engine/run/run_shared.h"
@@ -17,8 +19,9 @@ std::vector<int> pyramid(int resolution);
 /// What the search hands to the chains.
 struct ModeFound {
   ChainState mode;
-  std::shared_ptr<const Metric> laplace;  ///< covariance of the normal approximation at the mode
-  std::vector<MapPoint> basins;           ///< that the search ended in, best first; empty when recalled
+  std::shared_ptr<const Metric> laplace;   ///< covariance of the normal approximation at the mode
+  std::vector<MapPoint> basins;            ///< that the search ended in, best first; empty when recalled
+  std::optional<CalibratedErrors> errors;  ///< of calibrated errors: mode and covariance are under them
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so

@@ -15,12 +15,14 @@
 namespace patina {
 
 Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best,
-                  const std::map<std::string, double>& fixed) {
+                  const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit) {
   Alarms alarms = photo_alarms(photo);
   const double noise =
       value_noise(posterior, best, kNoiseRepeats, hardware_threads(), [] { use_tensor_threads(1); });
   if (const auto alarm = noise_alarm(noise)) alarms.push_back(*alarm);
-  if (const auto alarm = misfit_alarm(posterior.misfit(best))) alarms.push_back(*alarm);
+  auto far = fit ? fit_alarm(*fit, posterior.table().material) : std::nullopt;
+  if (!far && (!fit || fit->discrepancy > 0)) far = misfit_alarm(posterior.misfit(best));
+  if (far) alarms.push_back(*far);
   if (const auto alarm = strain_alarm(posterior.table(), posterior.values(best), fixed))
     alarms.push_back(*alarm);
   return alarms;
@@ -41,6 +43,18 @@ std::optional<Alarm> misfit_alarm(const std::vector<BlockMisfit>& misfits) {
   return Alarm{"misfit",
                std::string("The best match is far from the photo: ") + text +
                    ". Intervals mean little: try another material, or check the size and the crop."};
+}
+
+std::optional<Alarm> fit_alarm(const PhotoFit& fit, const std::string& material) {
+  if (fit.widening <= 1 || fit.p > kRare) return std::nullopt;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "it is %.2g times as far from simulated photos as they are from each other, and intervals "
+                "were widened %.2g-fold",
+                fit.distance, std::sqrt(fit.widening));
+  return Alarm{"misfit", "This photo does not look like " + material +
+                             " within what its irregularities explain: " + text +
+                             ". Try another material, or check the size and the crop."};
 }
 
 std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterValues& best,

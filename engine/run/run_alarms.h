@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/image.h"
+#include "engine/posterior/photo_fit.h"
 #include "engine/posterior/posterior.h"
 #include "engine/run/alarm.h"
 
@@ -18,13 +19,18 @@ namespace patina {
 ///   "strained"  see strain_alarm()
 /// Takes kNoiseRepeats evaluations.
 /// @param fixed  parameters that are held, by name
+/// @param fit    of calibrated errors: "misfit" is then fit_alarm()'s, too
 Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best,
-                  const std::map<std::string, double>& fixed);
+                  const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit);
 
 constexpr int kNoiseRepeats = 20;
 
 /// The best match is further from the photo than kFar times the error that the model is granted.
 std::optional<Alarm> misfit_alarm(const std::vector<BlockMisfit>& misfits);
+
+/// The photo is further from simulated photos, off by the hand-set errors as they are, than all but kRare
+/// of them.
+std::optional<Alarm> fit_alarm(const PhotoFit& fit, const std::string& material);
 
 /// The granted errors are the average of the paper's own fits to its 14 photos; none of the nine that the
 /// tests have is beyond so many times that average.

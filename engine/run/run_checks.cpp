@@ -33,6 +33,8 @@ void check_name(const char* what, const std::string& name, const std::vector<std
 
 }  // namespace
 
+std::vector<std::string> error_names() { return {"paper", "calibrated"}; }
+
 void check_resolution(int resolution) {
   check_count("pixels a side (resolution)", resolution, kLeastResolution, kMostResolution);
 }
@@ -62,6 +64,7 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
                     ", or 0 for chains without a ladder.");
   if (!(settings.path_length > 0 && settings.path_length <= 100))
     throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
+  check_name("error model", settings.errors, error_names());
   check_name("start", settings.start, start_names());
   check_name("kernel", settings.kernel, kernel_names());
   check_name("metric", settings.metric, metric_names());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "engine/io/photo.h"
 #include "engine/run/run_settings.h"
@@ -18,6 +20,9 @@ void check_resolution(int resolution);
 
 /// @throws UserError unless its lengths are from 0.1 to 10000 cm
 void check_capture(const Capture& capture);
+
+/// The settings for RunSettings::errors.
+std::vector<std::string> error_names();
 
 /// Counts, geometry and kernel; what the posterior's construction checks is left to it.
 /// @throws UserError for the first setting that cannot be

@@ -27,6 +27,9 @@ struct RunSettings {
   /// Empty: the material's own; run.json holds the name in use.
   std::string summary;
   std::filesystem::path network;  ///< empty: the bundled one
+  /// What renders may be off by, of error_names(): "paper", set by hand; "calibrated", learnt from simulated
+  /// photos (posterior/calibrate.h).
+  std::string errors = "paper";
   std::string kernel = "hmc";
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)

@@ -41,18 +41,21 @@ void read_checked(const std::filesystem::path& file, const std::string& payload,
 void write_mode(const std::filesystem::path& directory, const std::string& run_key, ModeFound found) {
   Archive archive;
   archive(found.mode, found.laplace);
+  if (found.errors) archive(*found.errors);
   write_state(mode_state_file(directory), run_key, archive.take_bytes());
 }
 
 std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const std::string& run_key,
-                                   const LogDensity& target) {
+                                   const Posterior& target, bool calibrated) {
   const std::filesystem::path file = mode_state_file(directory);
   const auto payload = read_state(file, run_key);
   if (!payload) return std::nullopt;
   ModeFound found;
   read_checked(file, *payload, [&](Archive& archive) {
     archive(found.mode, found.laplace);
-    if (!fits(found.laplace, target) || !fits(found.mode, target))
+    if (calibrated) archive(found.errors.emplace());
+    if (!fits(found.laplace, target) || !fits(found.mode, target) ||
+        (calibrated && !fits(*found.errors, target)))
       throw ArchiveError("it is of another posterior");
   });
   return found;

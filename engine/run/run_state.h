@@ -15,9 +15,10 @@ namespace patina {
 void write_mode(const std::filesystem::path& directory, const std::string& run_key, ModeFound found);
 
 /// Nothing if the search had not ended.
+/// @param calibrated  whether the run's errors are
 /// @throws UserError for a file that is damaged or not of that target
 std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const std::string& run_key,
-                                   const LogDensity& target);
+                                   const Posterior& target, bool calibrated);
 
 /// @throws UserError if it cannot be written
 void write_warmup(const std::filesystem::path& directory, const std::string& run_key, WarmupRecord record);

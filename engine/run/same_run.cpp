@@ -13,10 +13,12 @@ using Json = nlohmann::json;
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
 Json identity(const Manifest& manifest) {
   Json json = Json::parse(to_json(manifest));
-  for (const char* progress : {"phase", "reason", "map", "basins", "seconds", "evidence"})
+  for (const char* progress : {"phase", "reason", "map", "basins", "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
+  json["alarms"] = Json::array();
   for (const char* free : {"draws", "map_only", "stop"}) json["settings"].erase(free);
+  if (json["settings"]["errors"] == "paper") json["settings"].erase("errors");  // as before there were others
   json["settings"].erase("network");  // its checksum counts, not where it lies
   return json.flatten();
 }

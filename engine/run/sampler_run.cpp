@@ -117,7 +117,7 @@ void SamplerRun::take_up() {
   const Manifest made = read_manifest(directory_);
   check_same_run(directory_, made, manifest_);
   check_has_states(directory_);
-  found_ = read_mode(directory_, run_key_, *posteriors_.front());
+  found_ = read_mode(directory_, run_key_, *posteriors_.front(), is_calibrated());
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
   manifest_.basins = made.basins;
@@ -181,7 +181,8 @@ void SamplerRun::run_to_the_end() {
   manifest_.map =
       MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
   if (!found.basins.empty()) manifest_.basins = found.basins;
-  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed);
+  manifest_.alarms =
+      run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
@@ -202,16 +203,21 @@ ModeFound SamplerRun::find_or_recall() {
     shared_.write_or_pause([&] { write_mode(directory_, run_key_, found); });
     return found;
   }
-  if (settings_.resolution != pyramid(settings_.resolution).front())
-    posteriors_.push_back(
-        std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_));
-  posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);
+  keep_the_finest();
+  if (found_->errors) use(*found_->errors);
   shared_.edit_status([&](RunStatus& status) {
     status.search_fraction = 1;
     status.best = posteriors_.back()->values(found_->mode.position);
     status.best_lp = found_->mode.evaluation.log_density;
   });
   return *found_;
+}
+
+void SamplerRun::keep_the_finest() {
+  if (settings_.resolution != pyramid(settings_.resolution).front())
+    posteriors_.push_back(
+        std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_));
+  posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);
 }
 
 std::vector<Position> SamplerRun::guesses() const {
@@ -223,6 +229,7 @@ std::vector<Position> SamplerRun::guesses() const {
 ModeFound SamplerRun::search() {
   const Stopwatch stopwatch(manifest_.seconds.search);
   enter(RunPhase::searching, "looking for a good match");
+  if (is_calibrated()) return calibrate();
   const std::vector<int> levels = pyramid(settings_.resolution);
   for (std::size_t i = posteriors_.size(); i < levels.size(); ++i) {
     shared_.control.checkpoint();
@@ -231,6 +238,30 @@ ModeFound SamplerRun::search() {
   ModeFound found = find_mode(posteriors_, settings_, guesses(), shared_);
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   return found;
+}
+
+ModeFound SamplerRun::calibrate() {
+  keep_the_finest();
+  // There is something to see while photos are simulated.
+  if (const auto guessed = guesses(); !guessed.empty()) show(guessed.front());
+  CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), settings_, shared_);
+  use(calibrated.errors);
+  show(calibrated.mode.position);
+  return {std::move(calibrated.mode), std::move(calibrated.laplace), {}, std::move(calibrated.errors)};
+}
+
+void SamplerRun::show(const Position& position) {
+  const Posterior& posterior = *posteriors_.back();
+  const double lp = posterior.value(position).log_density;
+  shared_.edit_status([&](RunStatus& status) {
+    status.best = posterior.values(position);
+    status.best_lp = lp;
+  });
+}
+
+void SamplerRun::use(const CalibratedErrors& errors) {
+  posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(errors.likelihood));
+  manifest_.photo_fit = errors.fit;
 }
 
 void SamplerRun::sample(const ModeFound& found) {
@@ -306,9 +337,15 @@ void SamplerRun::conclude(RunPhase phase, const std::string& reason) {
 }
 
 std::string SamplerRun::outcome() const {
-  if (draws_made_ > 0)
+  if (draws_made_ > 0) {
+    const bool rough = manifest_.photo_fit && manifest_.photo_fit->discrepancy > 0;
     return std::to_string(draws_made_) + " draws" +
-           (manifest_.evidence ? "; " + in_words(settings_.stop, *manifest_.evidence) : "");
+           (manifest_.evidence ? "; " + in_words(settings_.stop, *manifest_.evidence) : "") +
+           (rough
+                ? "; no simulated photo is quite like this one, so intervals allow for what renders usually "
+                  "miss photos by"
+                : "");
+  }
   if (!manifest_.map) return "no match was found yet";
   return settings_.map_only ? "the best match was found"
                             : "the best match was found, but there are no draws after warm-up";

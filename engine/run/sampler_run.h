@@ -52,6 +52,11 @@ class SamplerRun final : public DrawSource {
   ModeFound find_or_recall();
   std::vector<Position> guesses() const;  ///< where the search looks first
   ModeFound search();
+  void keep_the_finest();
+  ModeFound calibrate();  ///< in place of a search: the photos of the prior that it begins with are one
+  void show(const Position& position);
+  void use(const CalibratedErrors& errors);
+  bool is_calibrated() const { return settings_.errors == "calibrated"; }
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
   void take_stock(const std::deque<Chain>& chains);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "engine/error.h"
 #include "tests/io/folder_test.h"
 
 namespace patina {
@@ -21,6 +22,7 @@ class ManifestTest : public FolderTest {
     m.settings.kernel = "nuts";
     m.settings.metric = "diagonal";
     m.settings.discrete = "single";
+    m.settings.errors = "calibrated";
     m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.seed = std::numeric_limits<std::uint64_t>::max();
@@ -37,6 +39,7 @@ class ManifestTest : public FolderTest {
     m.reason = "no memory";
     m.settings.stop = {1.5, 400, 1.01};
     m.seconds = {0.1 + 0.2, {1, 2}, {3, 4.5}};
+    m.photo_fit = PhotoFit{1.75, 1.0 / 301, 2.5};
     m.evidence = StopEvidence{1200, "rough", 123.456, "light", 1.0123};
     m.map = MapPoint{{{1.0 / 3, 0.25}, {1}}, -12.345678901234567};
     m.basins = {*m.map, MapPoint{{{2.0 / 3, 0.125}, {0}}, -23.5}};
@@ -49,11 +52,34 @@ class ManifestTest : public FolderTest {
   }
 };
 
+TEST_F(ManifestTest, ErrorsOfAnUnknownModelAndAFitThatCannotBeAreDamage) {
+  const auto with = [](const char* pointer, const Json& value) {
+    Json json = Json::parse(to_json(full()));
+    json[Json::json_pointer(pointer)] = value;
+    return json.dump();
+  };
+  EXPECT_THROW(read(with("/settings/errors", "guessed")), UserError);
+  EXPECT_THROW(read(with("/settings/errors", 3)), UserError);
+  EXPECT_THROW(read(with("/photo_fit/widening", 0.5)), UserError);
+  EXPECT_THROW(read(with("/photo_fit/p", 2)), UserError);
+  EXPECT_NO_THROW(read(with("/photo_fit", nullptr)));
+}
+
+TEST_F(ManifestTest, WithoutErrorsIsOfTheHandSetOnes) {
+  Json json = Json::parse(to_json(full()));
+  json["settings"].erase("errors");
+  json.erase("photo_fit");
+  const Manifest m = read(json.dump());
+  EXPECT_EQ(m.settings.errors, "paper");
+  EXPECT_FALSE(m.photo_fit);
+}
+
 TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   const Manifest m = full(), r = read(to_json(m));
   EXPECT_EQ(to_json(r), to_json(m));
   EXPECT_EQ(r.settings.network, m.settings.network);
   EXPECT_EQ(r.settings.seed, m.settings.seed);
+  EXPECT_EQ(r.settings.errors, m.settings.errors);
   EXPECT_EQ(r.settings.fixed, m.settings.fixed);
   EXPECT_EQ(r.settings.priors, m.settings.priors);
   EXPECT_EQ(r.table.continuous[1].prior, m.table.continuous[1].prior);
@@ -109,7 +135,9 @@ TEST_F(ManifestTest, NoFieldOfAWrongKindIsBelievedOrCrashes) {
 TEST_F(ManifestTest, EveryMissingFieldIsRefusedByName) {
   const Json good = Json::parse(to_json(full()));
   for (const auto& [key, value] : good.items()) {
-    if (key == "seconds" || key == "evidence" || key == "basins" || key == "alarms") continue;  // older runs
+    const bool of_newer_runs =
+        key == "seconds" || key == "evidence" || key == "basins" || key == "alarms" || key == "photo_fit";
+    if (of_newer_runs) continue;
     Json bad = good;
     bad.erase(key);
     EXPECT_NE(user_error([&] { read(bad.dump()); }).find("'" + key + "' is missing"), std::string::npos);

@@ -27,6 +27,15 @@ TEST(RunAlarms, the_worst_part_of_a_misfit_is_told_in_its_own_unit) {
     EXPECT_NE(colour->sentence.find(words), std::string::npos) << colour->sentence;
 }
 
+TEST(RunAlarms, a_photo_that_is_further_than_simulated_ones_is_told_with_how_far_intervals_were_widened) {
+  EXPECT_FALSE(fit_alarm({1, 0.5, 1}, "leather"));
+  EXPECT_FALSE(fit_alarm({1.1, 0.04, 1.2}, "leather")) << "one photo in twenty is as far";
+  const auto far = fit_alarm({3.2, 0.003, 9}, "leather");
+  ASSERT_TRUE(far);
+  for (const char* words : {"does not look like leather", "3.2 times", "widened 3-fold"})
+    EXPECT_NE(far->sentence.find(words), std::string::npos) << far->sentence;
+}
+
 TEST(RunAlarms, noise_is_told_above_a_tenth_of_a_nat) {
   EXPECT_FALSE(noise_alarm(0));
   EXPECT_FALSE(noise_alarm(0.099));

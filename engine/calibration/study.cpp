@@ -1,0 +1,177 @@
+#include "engine/calibration/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "engine/calibration/coverage.h"
+#include "engine/diagnostics/convergence.h"
+#include "engine/material/renderer.h"
+#include "engine/posterior/synthetic_likelihood.h"
+#include "engine/sampling/finite_evaluation.h"
+#include "engine/sampling/kernels.h"
+#include "engine/sampling/map_search.h"
+#include "engine/sampling/prior_draw.h"
+#include "engine/sampling/sample.h"
+
+namespace patina {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// Seeds of irregularities: no photo's are another photo's, a run's or among those simulated with.
+constexpr std::uint64_t kSimulated = 1'000'000'000, kPhotos = 2'000'000'000, kRuns = 3'000'000'000;
+constexpr std::uint64_t kSeedsAStudy = 100'000;
+
+/// A photo, and what is known of it.
+struct Case {
+  Posterior posterior;
+  Position truth;
+};
+
+struct Target {
+  Posterior posterior;
+  Position mode;
+  Eigen::MatrixXd covariance;
+};
+
+double processor_seconds() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Image blank(int side) { return Image(side, side, 3); }
+
+/// Of all that is drawn for a photo; photo 0 is the pilot.
+std::uint64_t seed_of(const StudySettings& study, int photo) {
+  return study.seed * kSeedsAStudy + static_cast<std::uint64_t>(photo);
+}
+
+Case make_case(const StudySettings& study, int photo, Rng& rng) {
+  const std::uint64_t offset = seed_of(study, photo);
+  PosteriorSettings settings = study.posterior;
+  settings.z_seed = kRuns + offset;
+  const Posterior any(settings, blank(settings.resolution));
+  const Position truth = prior_draw(any, rng);
+  const Renderer renderer(settings.material, kPhotos + offset, settings.capture);
+  const Camera& camera = study.camera;
+  const Image render = renderer.render(any.values(truth), settings.resolution * camera.oversampling);
+  return {Posterior(settings, photographed(render, camera, rng)), truth};
+}
+
+MapSearchResult search(const Posterior& posterior, Rng& rng) {
+  MapSearchSettings settings;
+  settings.prior_draws = 48;
+  settings.descents = 4;
+  settings.finalists = 2;
+  return search_map({&posterior}, rng, settings);
+}
+
+Target hand_set(Posterior posterior, Rng& rng) {
+  const OptimizerResult best = search(posterior, rng).best;
+  Eigen::MatrixXd laplace = laplace_covariance(posterior, best.position);
+  return {std::move(posterior), best.position, std::move(laplace)};
+}
+
+Target calibrated(const Posterior& posterior, const Simulator& simulator, const Pilot& pilot,
+                  const StudySettings& study, PhotoOutcome& outcome) {
+  Calibration found = calibrate(simulator, pilot, study.simulations);
+  outcome.distance = found.fit.distance;
+  outcome.widening = found.fit.widening;
+  outcome.simulated = found.photos;
+  const Eigen::Index levels = std::ssize(posterior.discrete_levels());
+  const double variance = study.error_scale * study.error_scale;
+  return {posterior.with(std::make_shared<const SyntheticLikelihood>(found.likelihood.widened(variance))),
+          {found.mode, Eigen::VectorXi::Zero(levels)},
+          std::move(found.covariance)};
+}
+
+/// Chains begin wider than the posterior, so that R-hat can tell.
+Sample draw(const Target& target, const StudySettings& study, std::uint64_t seed) {
+  constexpr double kOverdispersion = 1.5;
+  const Metric metric(target.covariance);
+  SampleSettings settings;
+  settings.chains = study.chains;
+  settings.warmup = study.warmup;
+  settings.draws = study.draws;
+  settings.seed = seed;
+  settings.metric = MetricKind::curved;
+  settings.metric_worth = 10.0 * static_cast<double>(target.posterior.dimension());
+  const auto start = [&](Rng& rng) {
+    Position position = target.mode;
+    position.continuous += kOverdispersion * metric.colour(rng.normals(position.continuous.size()));
+    return position;
+  };
+  // A likelihood that takes microseconds can afford the kernel that needs no tuning.
+  constexpr double kContinuous = 0.8;
+  const double refresh = study.calibrated ? 0.5 : 0.3;
+  const auto kernel = make_kernel(study.calibrated ? "nuts" : "mala", target.posterior, kContinuous, refresh);
+  return sample(target.posterior, *kernel, settings, start, metric);
+}
+
+double standard_deviation(const Eigen::MatrixXd& values) {
+  return std::sqrt((values.array() - values.mean()).square().mean());
+}
+
+/// In sampling coordinates, where the prior's sd is 1 and places are those of the parameters' values.
+void judge(const Sample& sample, const Case& example, const Posterior& posterior, Rng& rng,
+           PhotoOutcome& outcome) {
+  const auto add = [&](const Eigen::MatrixXd& draws, double truth, double sd) {
+    const double rhat = split_rhat(draws), ess = bulk_ess(draws);
+    outcome.quantities.push_back({place_among(draws, truth, rng), sd, rhat});
+    // Chains that never moved are the worst case, not none.
+    outcome.worst_rhat = std::max(outcome.worst_rhat, std::isfinite(rhat) ? rhat : 99.0);
+    outcome.least_ess = std::min(outcome.least_ess, std::isfinite(rhat) ? ess : 0.0);
+  };
+  outcome.least_ess = std::numeric_limits<double>::infinity();
+  add(sample.log_density, value_finite(posterior, example.truth).log_density, kNaN);
+  for (std::size_t i = 0; i < sample.coordinates.size(); ++i) {
+    const Eigen::MatrixXd& draws = sample.coordinates[i];
+    add(draws, example.truth.continuous[static_cast<Eigen::Index>(i)], standard_deviation(draws));
+  }
+}
+
+}  // namespace
+
+CalibrationStudy::CalibrationStudy(const StudySettings& settings, int threads,
+                                   std::function<void()> enter_thread)
+    : settings_(settings) {
+  const Posterior posterior(settings.posterior, blank(settings.posterior.resolution));
+  quantities_.emplace_back("lp");
+  for (const Parameter& parameter : posterior.table().continuous)
+    if (!settings.posterior.fixed.contains(parameter.name)) quantities_.push_back(parameter.name);
+  if (!settings.calibrated) return;
+  pool_ = make_pool(posterior.table(), kSimulated);
+  const Simulator simulator{.posterior = posterior,
+                            .pool = *pool_,
+                            .camera = settings.camera,
+                            .seed = seed_of(settings, 0),
+                            .threads = threads,
+                            .enter_thread = std::move(enter_thread)};
+  pilot_.emplace(simulator, settings.simulations.pilot);
+}
+
+PhotoOutcome CalibrationStudy::run(int photo) const {
+  const double begin = processor_seconds();
+  const std::uint64_t seed = seed_of(settings_, photo);
+  Rng rng(settings_.seed, static_cast<std::uint64_t>(photo));
+  PhotoOutcome outcome;
+  outcome.photo = photo;
+  outcome.distance = kNaN;
+  Case example = make_case(settings_, photo, rng);
+  const auto target_of = [&] {
+    if (!settings_.calibrated) return hand_set(std::move(example.posterior), rng);
+    const Simulator simulator{
+        .posterior = example.posterior, .pool = *pool_, .camera = settings_.camera, .seed = seed};
+    return calibrated(example.posterior, simulator, *pilot_, settings_, outcome);
+  };
+  const Target target = target_of();
+  const Sample sample = draw(target, settings_, seed);
+  judge(sample, example, target.posterior, rng, outcome);
+  outcome.seconds = processor_seconds() - begin;
+  return outcome;
+}
+
+}  // namespace patina

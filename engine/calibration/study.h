@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/posterior/calibrate.h"
+#include "engine/posterior/camera.h"
+#include "engine/posterior/irregularity_pool.h"
+#include "engine/posterior/posterior.h"
+
+namespace patina {
+
+/// What a calibration study asks.
+struct StudySettings {
+  PosteriorSettings posterior;  ///< its z_seed is not used: every photo has a run of its own
+  bool calibrated = false;      ///< errors: calibrated or, as in the paper, set by hand
+  CalibrationSettings simulations;
+  double error_scale = 1;  ///< times the sd of calibrated errors: others than 1 must be found out
+  Camera camera;           ///< that takes the photos, and is thought to
+  int chains = 4, warmup = 300, draws = 1000;
+  std::uint64_t seed = 1;
+};
+
+/// One parameter of one photo, or lp.
+struct TruthAndPosterior {
+  double place = 0;             ///< of the truth among the draws, see place_among()
+  double sd_over_prior_sd = 0;  ///< NaN for lp
+  double rhat = 0;              ///< NaN where nothing moved
+};
+
+/// What came of one synthetic photo.
+struct PhotoOutcome {
+  int photo = 0;
+  double seconds = 0;                         ///< of one core
+  double worst_rhat = 0;                      ///< of lp and all continuous parameters
+  double least_ess = 0;                       ///< bulk, likewise
+  double distance = 0;                        ///< PhotoFit; NaN for hand-set errors
+  double widening = 1;                        ///< likewise
+  double simulated = 0;                       ///< photos, the pilot's left out
+  std::vector<TruthAndPosterior> quantities;  ///< lp, then the free continuous parameters
+};
+
+/// A study of synthetic photos: the truth is a draw of the prior, the photo is taken of it (camera.h) with
+/// irregularities that no run knows, and its posterior drawn from with short chains. A photo depends on the
+/// settings and its number only. For several threads.
+class CalibrationStudy {
+ public:
+  /// With calibrated errors the pilot's photos are simulated here.
+  /// @throws UserError as Posterior does
+  CalibrationStudy(const StudySettings& settings, int threads, std::function<void()> enter_thread);
+
+  /// lp, then the free continuous parameters.
+  const std::vector<std::string>& quantities() const { return quantities_; }
+
+  PhotoOutcome run(int photo) const;
+
+ private:
+  StudySettings settings_;
+  std::shared_ptr<IrregularityPool> pool_;
+  std::optional<Pilot> pilot_;  ///< of calibrated errors
+  std::vector<std::string> quantities_;
+};
+
+}  // namespace patina

@@ -1,0 +1,63 @@
+#include "engine/posterior/forward_model.h"
+
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/clamp.h>
+#include <ATen/ops/matmul.h>
+#include <ATen/ops/tensor.h>
+
+#include <cstring>
+#include <utility>
+
+#include "engine/io/photo.h"
+#include "engine/material/photograph.h"
+#include "engine/posterior/resampling.h"
+#include "engine/summary/image_tensor.h"
+
+namespace patina {
+namespace {
+
+Image to_image(const at::Tensor& planes) {
+  const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
+  Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
+  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
+  return image;
+}
+
+}  // namespace
+
+ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
+                           const Capture& capture, int resolution)
+    : material(std::move(material)),
+      summary(std::move(summary)),
+      capture(capture),
+      resolution(resolution),
+      resampling(std::make_shared<const WeightCache>([resolution](std::int64_t side) {
+        return resampling_matrix(static_cast<int>(side), resolution);
+      })) {}
+
+at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
+                                           const std::vector<int>& discrete, const Irregularities& z) const {
+  const Surface surface = material->surface(parameters, discrete, z, capture, resolution);
+  return (*summary)(photograph(surface, capture, resolution, DisplayCurve::srgb));
+}
+
+at::Tensor ForwardModel::summary_of_photo(const ParameterValues& values, const Irregularities& z,
+                                          const Camera& camera, Rng& rng) const {
+  const at::NoGradGuard no_grad;
+  const int side = resolution * camera.oversampling;
+  const Surface surface =
+      material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture, side);
+  const Image photo =
+      photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);
+  if (side == resolution) return (*summary)(to_tensor(photo));
+  const at::Tensor smaller = resampling->of_side(side);
+  return (*summary)(
+      at::matmul(at::matmul(smaller, to_tensor(photo)), smaller.transpose(0, 1)).clamp(0, 1).contiguous());
+}
+
+at::Tensor ForwardModel::summary_of(const Image& photo) const {
+  const at::NoGradGuard no_grad;
+  return (*summary)(to_tensor(resized(photo, resolution)));
+}
+
+}  // namespace patina

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+#include <memory>
+#include <vector>
+
+#include "engine/material/material.h"
+#include "engine/posterior/camera.h"
+#include "engine/summary/summary.h"
+#include "engine/summary/weight_cache.h"
+
+namespace patina {
+
+/// From parameter values and irregularities to a summary, and to the summary of a photo.
+struct ForwardModel {
+  std::shared_ptr<const Material> material;
+  std::shared_ptr<const Summary> summary;
+  Capture capture;
+  int resolution = 0;                             ///< pixels a side that are compared
+  std::shared_ptr<const WeightCache> resampling;  ///< by the side of a photo, see resampling_matrix()
+
+  ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
+               const Capture& capture, int resolution);
+
+  /// Of the render, with its graph. @return [p] float32
+  at::Tensor summary_of_render(const ParameterTensors& parameters, const std::vector<int>& discrete,
+                               const Irregularities& z) const;
+
+  /// Of a photo that a camera takes of it, without a graph. @return [p] float32
+  at::Tensor summary_of_photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,
+                              Rng& rng) const;
+
+  /// Of a photo. @param photo  square, sRGB in [0,1], of any resolution
+  at::Tensor summary_of(const Image& photo) const;
+};
+
+}  // namespace patina

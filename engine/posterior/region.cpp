@@ -1,0 +1,25 @@
+#include "engine/posterior/region.h"
+
+#include <Eigen/Cholesky>
+
+namespace patina {
+
+Region prior_region(Eigen::Index dimension) {
+  return {Eigen::VectorXd::Zero(dimension), Eigen::MatrixXd::Identity(dimension, dimension)};
+}
+
+Region region_around(const Eigen::VectorXd& centre, const Eigen::MatrixXd& covariance,
+                     const Region& found_by) {
+  // kReach times as far where the covariance is far below the prior's, and the prior's own where it is that.
+  constexpr double kReach = 1.5, kShare = 1 / (kReach * kReach);
+  // Of the old width. With 0.15 a poor first round cuts off where the truth is along a ridge: of 100 photos
+  // of bump 90 % intervals of the light held 76, with 0.5 81.
+  constexpr double kDoubt = 0.5;
+  const Eigen::MatrixXd doubted =
+      covariance + kDoubt * kDoubt * found_by.factor * found_by.factor.transpose();
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(centre.size(), centre.size());
+  const Eigen::MatrixXd precision = kShare * doubted.llt().solve(one) + (1 - kShare) * one;
+  return {centre, precision.llt().solve(one).llt().matrixL()};
+}
+
+}  // namespace patina

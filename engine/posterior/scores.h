@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace patina {
+
+/// What a summary says about where its photo was simulated: the mean of that place given the summary
+/// (Fearnhead & Prangle 2012), in two steps. The first is a ridge regression on the entries. To first order
+/// its results are the scores J^T C^-1 s of a normal model (Alsing & Wandelt 2018) with the covariance C
+/// shrunk to a diagonal; how far, the photos decide that are left out. A poorer C loses information, but is
+/// as true where the scores' own errors are estimated. The second is a quadratic regression on those, which
+/// makes them about as straight in the place as they can be.
+class Scores {
+ public:
+  /// @param places  targets x n   @param summaries  entries x n
+  Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries);
+
+  Eigen::MatrixXd operator()(const Eigen::MatrixXd& summaries) const;
+
+  /// The scores of the photos that they were learnt from, each by the others.
+  const Eigen::MatrixXd& left_out() const { return left_out_; }
+
+ private:
+  Eigen::MatrixXd design(const Eigen::MatrixXd& linear) const;
+  void straighten(const Eigen::MatrixXd& places);
+
+  Eigen::MatrixXd weights_;  ///< targets x entries, of the linear step
+  Eigen::VectorXd constants_;
+  Eigen::VectorXd centres_, scales_;  ///< of the linear scores
+  bool products_ = false;             ///< see QuadraticFeatures
+  Eigen::MatrixXd bent_;              ///< targets x features, of the quadratic step
+  Eigen::MatrixXd left_out_;          ///< targets x n
+};
+
+}  // namespace patina

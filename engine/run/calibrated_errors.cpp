@@ -1,0 +1,81 @@
+#include "engine/run/calibrated_errors.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "engine/posterior/calibrate.h"
+#include "engine/run/threads.h"
+#include "engine/sampling/archive.h"
+
+namespace patina {
+namespace {
+
+// Seeds of irregularities: none is one that a user would choose for the run's own.
+constexpr std::uint64_t kSimulated = 1'000'000'000;
+
+/// Says how far the simulations are, as if two rounds were to be made, which is usual.
+class Progress {
+ public:
+  Progress(const CalibrationSettings& settings, RunShared& shared)
+      : expected_(settings.pilot + settings.first + settings.later), shared_(shared) {}
+
+  void operator()() {
+    shared_.control.checkpoint();
+    const int percent = std::min(99, 100 * ++made_ / expected_);
+    if (percent == said_.exchange(percent)) return;
+    shared_.edit_status([&](RunStatus& status) {
+      status.message =
+          "learning from simulated photos what irregularities do: " + std::to_string(percent) + " %";
+    });
+  }
+
+ private:
+  int expected_;
+  RunShared& shared_;
+  std::atomic<int> made_{0}, said_{-1};
+};
+
+}  // namespace
+
+void serialise(Archive& archive, CalibratedErrors& errors) {
+  SyntheticLikelihood likelihood = errors.likelihood ? *errors.likelihood : SyntheticLikelihood();
+  archive(likelihood, errors.fit.distance, errors.fit.p, errors.fit.widening, errors.fit.discrepancy);
+  errors.likelihood = std::make_shared<const SyntheticLikelihood>(std::move(likelihood));
+}
+
+bool fits(const CalibratedErrors& errors, const Posterior& posterior) {
+  const PhotoFit& fit = errors.fit;
+  return errors.likelihood && errors.likelihood->is_of(std::ssize(posterior.informed())) &&
+         std::isfinite(fit.distance) && fit.p > 0 && fit.p <= 1 && fit.widening >= 1 &&
+         std::isfinite(fit.widening) && (fit.discrepancy == 0 || fit.discrepancy == 1);
+}
+
+CalibratedMode learn_errors(const Posterior& posterior, std::uint64_t seed,
+                            const std::function<void()>& simulated) {
+  const CalibrationSettings amount;
+  const auto pool = make_pool(posterior.table(), kSimulated);
+  const Simulator simulator{.posterior = posterior,
+                            .pool = *pool,
+                            .camera = {},
+                            .seed = seed,
+                            .threads = hardware_threads(),
+                            .enter_thread = [] { use_tensor_threads(1); },
+                            .simulated = simulated};
+  Calibration found = calibrate(simulator, Pilot(simulator, amount.pilot), amount);
+  CalibratedErrors errors{std::make_shared<const SyntheticLikelihood>(std::move(found.likelihood)),
+                          found.fit};
+  const Posterior calibrated = posterior.with(errors.likelihood);
+  const Eigen::Index levels = std::ssize(posterior.discrete_levels());
+  const Position mode{found.mode, Eigen::VectorXi::Zero(levels)};
+  return {
+      std::move(errors), {mode, calibrated.evaluate(mode)}, std::make_shared<const Metric>(found.covariance)};
+}
+
+CalibratedMode calibrate_errors(const Posterior& posterior, const RunSettings& settings, RunShared& shared) {
+  Progress progress({}, shared);
+  return learn_errors(posterior, settings.seed, [&] { progress(); });
+}
+
+}  // namespace patina
