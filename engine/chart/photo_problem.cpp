@@ -6,6 +6,7 @@
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/run/calibrated_errors.h"
 #include "engine/run/mode_search.h"
 #include "engine/run/posterior_settings.h"
 #include "engine/run/run_checks.h"
@@ -48,6 +49,13 @@ std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSettin
   return targets;
 }
 
+ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed,
+                                         const std::function<void()>& simulated) const {
+  CalibratedMode found = learn_errors(*posterior_, seed, simulated);
+  return {std::make_unique<Posterior>(posterior_->with(found.errors.likelihood)), std::move(found.mode),
+          std::move(found.laplace)};
+}
+
 Eigen::VectorXd PhotoProblem::values(const Position& position) const {
   const ParameterValues values = posterior_->values(position);
   return Eigen::Map<const Eigen::VectorXd>(values.continuous.data(), std::ssize(values.continuous));
@@ -57,8 +65,12 @@ void PhotoProblem::use_threads(int count) const { use_tensor_threads(count); }
 
 ChartTarget PhotoProblem::target() const {
   const int least = make_summary(settings_.summary, settings_.network)->minimum_resolution();
-  return {settings_.summary, settings_.resolution, std::max(least, kLeastResolution),
-          std::ranges::count(posterior_->jagged(), true) > 0, !posterior_->discrete_levels().empty()};
+  return {settings_.summary,
+          settings_.resolution,
+          std::max(least, kLeastResolution),
+          std::ranges::count(posterior_->jagged(), true) > 0,
+          !posterior_->discrete_levels().empty(),
+          true};
 }
 
 Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::uint64_t z_seed) {

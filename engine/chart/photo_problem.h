@@ -22,6 +22,8 @@ class PhotoProblem final : public ChartProblem {
   std::string description() const override { return description_; }
   std::vector<std::string> names() const override;
   std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override;
+  Learnt learn(const ChartSetting& setting, std::uint64_t seed,
+               const std::function<void()>& simulated) const override;
   Eigen::VectorXd values(const Position& position) const override;
   void use_threads(int count) const override;
 

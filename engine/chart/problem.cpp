@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/run/chain_start.h"
@@ -13,6 +14,11 @@ namespace patina {
 std::unique_ptr<Kernel> ChartProblem::kernel(const ChartSetting& setting, const LogDensity& target) const {
   return make_kernel(setting.kernel, target, setting.alpha, setting.refresh, setting.discrete,
                      setting.path_length);
+}
+
+ChartProblem::Learnt ChartProblem::learn(const ChartSetting& setting, std::uint64_t,
+                                         const std::function<void()>&) const {
+  throw std::invalid_argument("nothing can be learnt of this target for '" + setting.name + "'");
 }
 
 std::unique_ptr<LogDensity> target_of(const ChartProblem& problem) {

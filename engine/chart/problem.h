@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/chart/setting.h"
+#include "engine/sampling/chain_state.h"
 #include "engine/sampling/kernel.h"
 #include "engine/sampling/log_density.h"
+#include "engine/sampling/metric.h"
 
 namespace patina {
 
@@ -24,6 +28,16 @@ class ChartProblem {
   /// The target as a setting has it, from coarse to fine: the search begins with the first, the last is drawn
   /// from. All of one space, that of every other setting as well.
   virtual std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const = 0;
+
+  /// A target that simulations make, where a setting asks for it; its mode and the covariance there.
+  struct Learnt {
+    std::unique_ptr<LogDensity> target;
+    ChainState mode;
+    std::shared_ptr<const Metric> laplace;
+  };
+  /// @param simulated  called after each of the simulations, from any thread; what it throws ends them
+  virtual Learnt learn(const ChartSetting& setting, std::uint64_t seed,
+                       const std::function<void()>& simulated) const;
 
   /// The continuous quantities at a position, in their own units.
   virtual Eigen::VectorXd values(const Position& position) const = 0;

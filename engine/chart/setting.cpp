@@ -38,6 +38,10 @@ class Matrix {
       add(std::to_string(resolution) + " pixels", &ChartSetting::resolution, resolution);
   }
 
+  void add_calibrated() {
+    if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
+  }
+
   std::vector<ChartSetting> settings() const { return settings_; }
 
  private:
@@ -62,6 +66,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add("refresh 0.25", &ChartSetting::refresh, 0.25);
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
+  matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
 }
 
@@ -80,6 +85,7 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
   for (const char* summary : {"means", "rings", "gram"})
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
+  matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();
 }
@@ -94,6 +100,7 @@ ChartSetting default_setting() {
   setting.metric = run.metric;
   setting.discrete = run.discrete;
   setting.start = run.start;
+  setting.errors = run.errors;
   setting.chains = run.chains;
   setting.warmup = run.warmup;
   setting.alpha = run.alpha;

@@ -48,6 +48,7 @@ class Running {
 
   /// @throws OutOfTime
   void run() {
+    if (setting_.errors == "calibrated") return learn_and_draw();
     for (const auto& target : targets_) metered_.push_back(std::make_unique<MeteredDensity>(*target, meter_));
     const MapSearchResult found = search();
     const LogDensity& target = *metered_.back();
@@ -83,6 +84,15 @@ class Running {
       throw UserError("No parameters render to anything comparable with the photo.");
     trial_.search.push_back({elapsed(), problem_.values(found.best.position)});
     return found;
+  }
+
+  void learn_and_draw() {
+    problem_.use_threads(plan_.threads);
+    const ChartProblem::Learnt learnt = problem_.learn(setting_, plan_.seed, [&] { meter_.count(false); });
+    trial_.search.push_back({elapsed(), problem_.values(learnt.mode.position)});
+    trial_.search_seconds = elapsed();
+    trial_.search_evaluations = meter_.evaluations();
+    draw(MeteredDensity(*learnt.target, meter_), learnt.mode, *learnt.laplace);
   }
 
   void draw(const LogDensity& target, const ChainState& mode, const Metric& laplace) {

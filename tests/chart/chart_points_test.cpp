@@ -82,7 +82,7 @@ TEST(ChartRow, of_a_file_that_is_no_chart_is_refused) {
   write_table(folder.path() / "x.csv", {{}, {"a", "b"}, {{"1", "2"}}});
   EXPECT_THROW(chart_rows(read_table(folder.path() / "x.csv").value()), UserError);
   TableFile table{{}, chart_columns(), {chart_cells(some_row("default", 1, 3, 0.02))}};
-  table.rows[0][6] = "many";
+  table.rows[0][7] = "many";
   EXPECT_THROW(chart_rows(table), UserError);
   EXPECT_THROW(parse_number("1e"), UserError);
 }

@@ -52,6 +52,49 @@ TEST(Trial, whose_time_is_over_before_it_begins_has_evaluated_nothing) {
   EXPECT_EQ(trial.draws().draws(), 0);
 }
 
+/// Learns its target by a hundred simulations.
+class LearningProblem final : public ChartProblem {
+ public:
+  std::string description() const override { return known_.description(); }
+  std::vector<std::string> names() const override { return known_.names(); }
+  std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override {
+    return known_.targets(setting);
+  }
+  Eigen::VectorXd values(const Position& position) const override { return position.continuous; }
+  Learnt learn(const ChartSetting& setting, std::uint64_t,
+               const std::function<void()>& simulated) const override {
+    for (int i = 0; i < kSimulations; ++i) simulated();
+    Learnt learnt{std::move(known_.targets(setting).back()), {}, {}};
+    learnt.mode.position = {Eigen::Vector3d::Zero(), Eigen::VectorXi::Zero(1)};
+    learnt.mode.evaluation = learnt.target->evaluate(learnt.mode.position);
+    learnt.laplace = std::make_shared<const Metric>(Eigen::MatrixXd::Identity(3, 3) * 0.2);
+    return learnt;
+  }
+
+  static constexpr int kSimulations = 100;
+
+ private:
+  GaussianProblem known_;
+};
+
+TEST(Trial, of_calibrated_errors_learns_its_target_in_place_of_a_search) {
+  ChartSetting setting = quick_setting();
+  setting.errors = "calibrated";
+  const Trial trial = run_trial(LearningProblem(), setting, {.seed = 3, .draws = 1000, .threads = 2});
+  EXPECT_EQ(trial.search_evaluations, LearningProblem::kSimulations);
+  ASSERT_EQ(trial.draws().draws(), 1000);
+  const GaussianProblem known;
+  EXPECT_NEAR(trial.draws().continuous[0].mean(), known.true_mean(0), 0.25 * known.true_sd(0));
+}
+
+TEST(Trial, whose_time_is_over_while_it_learns_has_no_draws) {
+  ChartSetting setting = quick_setting();
+  setting.errors = "calibrated";
+  const Trial trial = run_trial(LearningProblem(), setting, {.seed = 3, .draws = 50, .seconds = 1e-9});
+  EXPECT_EQ(trial.evaluations, 0);
+  EXPECT_EQ(trial.draws().draws(), 0);
+}
+
 TEST(Trial, cuts_its_chains_to_the_shortest) {
   Trial trial;
   trial.chains.resize(2);
