@@ -33,6 +33,7 @@ void apply_spacing(ImGuiStyle& style, float em) {
   style.WindowRounding = style.PopupRounding = 0.4f * em;
   style.FrameRounding = style.GrabRounding = style.ScrollbarRounding = 0.3f * em;
   style.WindowBorderSize = 0;
+  style.AntiAliasedLinesUseTex = false;  // the atlas is not interpolated: text lies on pixels
   style.PopupBorderSize = 1;
   style.DisabledAlpha = 0.4f;
 }

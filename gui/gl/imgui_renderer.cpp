@@ -1,9 +1,12 @@
 #include "gui/gl/imgui_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+
+#include "gui/gl/opaque_fills.h"
 
 namespace patina {
 namespace {
@@ -19,6 +22,48 @@ void blend_straight(const Gl& gl) {
 template <class T>
 std::span<const std::byte> bytes_of(const ImVector<T>& items) {
   return std::as_bytes(std::span<const T>(items.Data, static_cast<std::size_t>(items.Size)));
+}
+
+/// Of the framebuffer, whose row 0 is at the bottom.
+struct PixelRect {
+  GLint left = 0, bottom = 0;
+  GLsizei width = 0, height = 0;
+};
+
+PixelRect pixel_rect(const ImDrawData& data, int left, int top, int right, int bottom) {
+  const auto height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
+  return {left, height - bottom, right - left, bottom - top};
+}
+
+PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command) {
+  const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
+  const ImVec4& clip = command.ClipRect;
+  const float left = (clip.x - origin.x) * scale.x, top = (clip.y - origin.y) * scale.y;
+  const float right = (clip.z - origin.x) * scale.x, bottom = (clip.w - origin.y) * scale.y;
+  return {static_cast<GLint>(left), static_cast<GLint>(data.DisplaySize.y * scale.y - bottom),
+          static_cast<GLsizei>(right - left), static_cast<GLsizei>(bottom - top)};
+}
+
+/// The pixels whose middles lie inside, which are those that two triangles would cover.
+PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high) {
+  const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
+  const auto edge = [](float at) { return static_cast<int>(std::ceil(at - 0.5f)); };
+  return pixel_rect(data, edge((low.x - origin.x) * scale.x), edge((low.y - origin.y) * scale.y),
+                    edge((high.x - origin.x) * scale.x), edge((high.y - origin.y) * scale.y));
+}
+
+PixelRect common_part(const PixelRect& a, const PixelRect& b) {
+  const GLint left = std::max(a.left, b.left), bottom = std::max(a.bottom, b.bottom);
+  return {left, bottom, std::min(a.left + a.width, b.left + b.width) - left,
+          std::min(a.bottom + a.height, b.bottom + b.height) - bottom};
+}
+
+void clear(const Gl& gl, const PixelRect& rect, ImU32 color) {
+  if (rect.width <= 0 || rect.height <= 0) return;
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
+  gl.Scissor(rect.left, rect.bottom, rect.width, rect.height);
+  gl.ClearColor(c.x, c.y, c.z, c.w);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 }  // namespace
@@ -45,7 +90,7 @@ void ImguiRenderer::prepare() {
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
   const std::size_t size = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  fonts_ = Texture::rgba8(gl_, width, height, {pixels, size}, TextureFilter::linear);
+  fonts_ = Texture::rgba8(gl_, width, height, {pixels, size}, TextureFilter::nearest);
   atlas.SetTexID(fonts_->imgui_id());
 }
 
@@ -63,21 +108,31 @@ void ImguiRenderer::begin(const ImDrawData& data) const {
   layout_.bind();
 }
 
-void ImguiRenderer::draw(const ImDrawData& data, const ImDrawCmd& command) const {
-  const auto scaled = [&](float x, float y) {
-    return ImVec2((x - data.DisplayPos.x) * data.FramebufferScale.x,
-                  (y - data.DisplayPos.y) * data.FramebufferScale.y);
+void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command) const {
+  constexpr float kLargeFill = 2000;  // pixels that are worth a draw call more
+  const PixelRect clip = clip_of(data, command);
+  if (clip.width <= 0 || clip.height <= 0) return;
+  const auto draw_indices = [&](unsigned from, unsigned to) {
+    if (from == to) return;
+    gl_.Scissor(clip.left, clip.bottom, clip.width, clip.height);
+    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(to - from), GL_UNSIGNED_SHORT,
+                               reinterpret_cast<const void*>(from * sizeof(ImDrawIdx)),
+                               static_cast<GLint>(command.VtxOffset));
   };
-  const ImVec2 low = scaled(command.ClipRect.x, command.ClipRect.y);
-  const ImVec2 high = scaled(command.ClipRect.z, command.ClipRect.w);
-  if (high.x <= low.x || high.y <= low.y) return;
-  const float framebuffer_height = data.DisplaySize.y * data.FramebufferScale.y;
-  gl_.Scissor(static_cast<GLint>(low.x), static_cast<GLint>(framebuffer_height - high.y),
-              static_cast<GLsizei>(high.x - low.x), static_cast<GLsizei>(high.y - low.y));
   gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
-  gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
-                             reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
-                             static_cast<GLint>(command.VtxOffset));
+  const bool has_fills = command.GetTexID() == ImGui::GetIO().Fonts->TexID;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  const unsigned end = command.IdxOffset + command.ElemCount;
+  unsigned drawn = command.IdxOffset;
+  for (unsigned i = drawn; has_fills && i + 6 <= end; i += 3) {
+    const auto fill = opaque_fill(list, command, i, white);
+    if (!fill || fill->area() < kLargeFill) continue;
+    draw_indices(drawn, i);
+    clear(gl_, common_part(pixels_of(data, fill->low, fill->high), clip), fill->color);
+    drawn = i + 6;
+    i += 3;
+  }
+  draw_indices(drawn, end);
 }
 
 void ImguiRenderer::render(const ImDrawData& data) {
@@ -91,7 +146,7 @@ void ImguiRenderer::render(const ImDrawData& data) {
     indices_.assign(bytes_of(list.IdxBuffer));
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (!command.UserCallback) {
-        draw(data, command);
+        draw(data, list, command);
       } else if (command.UserCallback == premultiplied_mark) {
         gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
       } else if (command.UserCallback == straight_mark) {

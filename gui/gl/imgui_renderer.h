@@ -21,7 +21,7 @@ class ImguiRenderer {
 
  private:
   void begin(const ImDrawData& data) const;
-  void draw(const ImDrawData& data, const ImDrawCmd& command) const;
+  void draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command) const;
 
   const Gl& gl_;
   Program program_;

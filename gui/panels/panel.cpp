@@ -34,13 +34,24 @@ std::string elided(const std::string& text, float width) {
   return kDots;
 }
 
+/// Between two rounded ends plain rectangles, which the renderer fills at once.
+void draw_ground(const Rect& rect) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float round = std::ceil(ImGui::GetStyle().WindowRounding);
+  const ImVec2 low = rect.position, high{low.x + rect.size.x, low.y + rect.size.y};
+  list.AddRectFilled(low, {high.x, low.y + round}, theme::kPanel, round, ImDrawFlags_RoundCornersTop);
+  list.AddRectFilled({low.x, low.y + round}, {high.x, high.y - round}, theme::kPanel);
+  list.AddRectFilled({low.x, high.y - round}, high, theme::kPanel, round, ImDrawFlags_RoundCornersBottom);
+}
+
 }  // namespace
 
 PanelScope::PanelScope(const char* title, const Rect& rect, const PanelContext& context,
                        ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(rect.position);
   ImGui::SetNextWindowSize(rect.size);
-  ImGui::Begin(title, nullptr, kFixed | flags);
+  draw_ground(rect);
+  ImGui::Begin(title, nullptr, kFixed | ImGuiWindowFlags_NoBackground | flags);
   const std::string text = title;
   heading_text(context, text.substr(0, text.find("##")));
 }

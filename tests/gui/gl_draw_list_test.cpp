@@ -40,6 +40,37 @@ TEST_F(GlTest, TheClipRectangleCutsExactly) {
   EXPECT_EQ(lit, 200);
 }
 
+TEST_F(GlTest, ALargeFillBetweenOthersCoversWhatIsBelowAndNotWhatIsAbove) {
+  const Image shot = frame([](ImDrawList& list) {
+    list.AddRectFilled({0, 0}, {60, 8}, IM_COL32(0, 200, 0, 255));
+    list.AddRectFilled({0.4f, 4.6f}, {60.5f, 46.5f}, IM_COL32(200, 0, 0, 255));  // is cleared to
+    list.AddRectFilled({10, 20}, {20, 30}, IM_COL32(0, 0, 200, 255));
+  });
+  for (int row = 0; row < shot.height; ++row) {
+    for (int column = 0; column < shot.width; ++column) {
+      Rgb expected = kBlack;
+      if (row < 8 && column < 60) expected = {0, 200, 0};
+      // Pixels whose middles lie inside: rows 5 to 45, columns 0 to 59.
+      if (row >= 5 && row < 46 && column < 60) expected = {200, 0, 0};
+      if (row >= 20 && row < 30 && column >= 10 && column < 20) expected = {0, 0, 200};
+      ASSERT_EQ(pixel(shot, row, column), expected) << row << ", " << column;
+    }
+  }
+}
+
+TEST_F(GlTest, ALargeFillStaysInItsClipRectangle) {
+  const Image shot = frame([](ImDrawList& list) {
+    list.PushClipRect({10, 12}, {30, 22});
+    list.AddRectFilled({-100, -100}, {164, 148}, IM_COL32(200, 100, 0, 255));
+    list.PopClipRect();
+  });
+  EXPECT_EQ(pixel(shot, 12, 10), (Rgb{200, 100, 0}));
+  EXPECT_EQ(pixel(shot, 21, 29), (Rgb{200, 100, 0}));
+  for (const auto& [row, column] :
+       {std::pair(11, 10), std::pair(22, 29), std::pair(12, 9), std::pair(21, 30)})
+    EXPECT_EQ(pixel(shot, row, column), kBlack) << row << ", " << column;
+}
+
 TEST_F(GlTest, HalfOpacityBlendsHalfWay) {
   const Image shot = frame([](ImDrawList& list) {
     list.AddRectFilled({0, 0}, {64, 48}, IM_COL32(0, 0, 200, 255));
