@@ -122,6 +122,8 @@ void App::handle_escape() {
     file_choice_.close();
   } else if (help_open_) {
     help_open_ = false;
+  } else if (costs_.visible()) {
+    costs_.close();
   } else if (scatter_.takes_keys() || photo_.takes_keys()) {
     give_keys_to_plot(false);
   } else if (banner_.visible()) {
@@ -177,7 +179,8 @@ void App::handle_keys() {
   const bool in_panel = keyboard_.on();
   if (in_panel) give_keys_to_plot(false);
   if (keyboard_.follow()) return;
-  const bool in_dialog = dialog_.visible() || palette_.visible() || file_choice_.visible() || help_open_;
+  const bool in_dialog =
+      dialog_.visible() || palette_.visible() || file_choice_.visible() || help_open_ || costs_.visible();
   const bool escape =
       (in_dialog || !in_panel) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (escape && (!io.WantTextInput || dialog_.visible() || palette_.visible())) handle_escape();
@@ -212,7 +215,7 @@ void App::draw_panels() {
       context, layout.scatter,
       {[this](std::size_t draw) { ask_to_export_draw(draw); }, [this] { ask_to_export_starred(); }});
   material_.draw(context, layout.material, shown);
-  draw_chains_panel(context, layout.chains);
+  draw_chains_panel(context, layout.chains, [this] { costs_.open(); });
   draw_draw_panel(context, layout.draw, shown, note, [this] { ask_to_export(); });
   draw_dialogs(context);
   // After the panels, so that a click is answered in the frame that saw it.
@@ -223,6 +226,7 @@ void App::draw_panels() {
 void App::draw_dialogs(const PanelContext& context) {
   banner_.draw(context, ImGui::GetIO().DisplaySize);
   draw_help_sheet(context, actions_, help_open_);
+  costs_.draw(context);
   if (palette_.visible()) {
     std::vector<Action> actions = actions_;
     std::ranges::move(recent_actions(), std::back_inserter(actions));

@@ -15,6 +15,7 @@
 #include "gui/keyboard_focus.h"
 #include "gui/layout.h"
 #include "gui/panels/command_palette.h"
+#include "gui/panels/cost_panel.h"
 #include "gui/panels/error_banner.h"
 #include "gui/panels/export_form.h"
 #include "gui/panels/file_choice.h"
@@ -67,6 +68,7 @@ class App {
   PhotoPanel& photo_panel() { return photo_; }
   const FileChoice& file_choice() const { return file_choice_; }
   const CommandPalette& palette() const { return palette_; }
+  const CostPanel& costs() const { return costs_; }
   const Preferences& preferences() const { return preferences_; }
   bool loading() const { return photo_loader_.busy() || run_loader_.busy(); }
   bool exporting() const { return exporter_.busy(); }
@@ -139,6 +141,7 @@ class App {
   FileDialog dialog_;
   FileChoice file_choice_;
   CommandPalette palette_;
+  CostPanel costs_;
   PhotoPanel photo_;
   PreviewPanel preview_;
   ScatterPanel scatter_;

@@ -73,6 +73,7 @@ std::vector<Action> App::run_actions() {
        [this] { session_.close_run(); },
        [this] { return session_.has_run(); }},
       {"Run", "Continue the run", {}, [this] { session_.go_on(); }, [this] { return session_.can_go_on(); }},
+      {"Run", "How fast, how sure: what draws cost", {}, [this] { costs_.open(); }},
   };
 }
 

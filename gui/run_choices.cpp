@@ -81,6 +81,12 @@ void RunChoices::set_stop_rules(const StopRules& rules) {
   change(std::move(changed), true);
 }
 
+void RunChoices::set_errors(const std::string& model) {
+  RunSettings changed = settings();
+  changed.errors = model;
+  change(std::move(changed), true);
+}
+
 void RunChoices::set_crop(const PhotoCrop& crop, const Capture& capture) {
   RunSettings changed = settings();
   changed.capture = capture;
@@ -177,7 +183,7 @@ bool RunChoices::redo() {
 
 bool RunChoices::differ_from(const RunSettings& run) const {
   const auto inferred = [](const RunSettings& s) {
-    return std::tie(s.material, s.capture, s.fixed, s.priors);
+    return std::tie(s.material, s.capture, s.errors, s.fixed, s.priors);
   };
   return inferred(run) != inferred(settings());
 }

@@ -30,6 +30,7 @@ class RunChoices {
   void set_size_cm(double size_cm);            ///< keeps the field of view
   /// @throws UserError for rules that no run can reach (a sentence that says why)
   void set_stop_rules(const StopRules& rules);
+  void set_errors(const std::string& model);  ///< see RunSettings::errors
   void set_capture(const Capture& capture, bool new_gesture = true);
   /// Another part of the photo, and the geometry that goes with it.
   void set_crop(const PhotoCrop& crop, const Capture& capture);
@@ -59,8 +60,8 @@ class RunChoices {
   /// @param values  in the order of table()
   RunSettings started_at(const ParameterValues& values) const;
 
-  /// Whether a run with these settings infers something else than one with the choices: another material or
-  /// geometry, other priors or locks.
+  /// Whether a run with these settings infers something else than one with the choices: another material,
+  /// geometry or error model, other priors or locks.
   bool differ_from(const RunSettings& run) const;
 
  private:

@@ -5,13 +5,15 @@
 #include <optional>
 #include <utility>
 
-#include "gui/panels/stop_rules.h"
+#include "gui/panels/run_rules.h"
 #include "gui/run_outlook.h"
 #include "gui/theme.h"
 #include "gui/words.h"
 
 namespace patina {
 namespace {
+
+constexpr const char* kCosts = "Costs...";
 
 /// The table's columns, and what they mean.
 constexpr std::array<std::pair<const char*, const char*>, 5> kColumns{
@@ -132,7 +134,15 @@ void draw_chain_table(const RunStatus& status, float height) {
   ImGui::EndTable();
 }
 
-void draw_buttons(const PanelContext& context) {
+/// What can be asked at any time.
+void draw_questions(const PanelContext& context, const std::function<void()>& show_costs) {
+  draw_run_rules(context);
+  ImGui::SameLine();
+  if (ImGui::Button(kCosts)) context.commands.push_back(show_costs);
+  tooltip("How fast draws come, how sure they make the answer, and what other ways to draw would cost");
+}
+
+void draw_buttons(const PanelContext& context, const std::function<void()>& show_costs) {
   Session& session = context.session;
   const RunPhase phase = session.status().phase;
   if (!session.run().can_control()) {
@@ -141,12 +151,12 @@ void draw_buttons(const PanelContext& context) {
     return;
   }
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x - gap - stop_rules_width();
+  const float room = ImGui::GetContentRegionAvail().x - 2 * gap - run_rules_width() - button_width(kCosts);
   if (session.can_go_on()) {
     if (ImGui::Button("Continue", {room, 0})) context.commands.push_back([&session] { session.go_on(); });
     tooltip("Draw on in this run; what was drawn is kept");
     ImGui::SameLine();
-    return draw_stop_rules(context);
+    return draw_questions(context, show_costs);
   }
   const float half = 0.5f * (room - gap);
   ImGui::BeginDisabled(is_over(phase));
@@ -160,19 +170,20 @@ void draw_buttons(const PanelContext& context) {
   tooltip("End the run; what was drawn is kept");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  draw_stop_rules(context);
+  draw_questions(context, show_costs);
 }
 
 }  // namespace
 
-void draw_chains_panel(const PanelContext& context, const Rect& rect) {
+void draw_chains_panel(const PanelContext& context, const Rect& rect,
+                       const std::function<void()>& show_costs) {
   const PanelScope panel("Chains", rect, context, ImGuiWindowFlags_NoScrollbar);
   const Session& session = context.session;
   if (!session.has_run()) {
     muted_text(session.has_photo()
                    ? "Press Start: four chains will look for everything this material could be."
                    : "Nothing is running.");
-    return draw_stop_rules(context);
+    return draw_questions(context, show_costs);
   }
   if (session.status().read_fraction < 1) return draw_reading(context);
   draw_phase(context);
@@ -183,7 +194,7 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect) {
   draw_news(session, outlook, evidence);
   const float buttons = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
   draw_chain_table(session.status(), std::max(1.0f, ImGui::GetContentRegionAvail().y - buttons));
-  draw_buttons(context);
+  draw_buttons(context, show_costs);
 }
 
 }  // namespace patina

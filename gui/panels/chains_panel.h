@@ -5,6 +5,8 @@
 namespace patina {
 
 /// What the run is doing in plain words, how far it is, how well its chains do; pause, resume, stop.
-void draw_chains_panel(const PanelContext& context, const Rect& rect);
+/// @param show_costs  what the button that asks what draws cost does, as a command
+void draw_chains_panel(const PanelContext& context, const Rect& rect,
+                       const std::function<void()>& show_costs);
 
 }  // namespace patina

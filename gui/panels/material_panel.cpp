@@ -28,8 +28,8 @@ void MaterialPanel::draw_choices(const PanelContext& context) {
     if (ImGui::Selectable("Auto: find out which", false, can_find ? 0 : ImGuiSelectableFlags_Disabled))
       context.commands.push_back([&session] { session.find_material(); });
     tooltip(
-        "Tries all materials on the photo and says how likely each is. Takes a few minutes, and is a hint: "
-        "you choose.");
+        "Tries all materials on the photo and says how likely each is. Takes a moment, and is a hint: you "
+        "choose.");
     for (const std::string& name : materials_) {
       if (ImGui::Selectable(capitalised(name).c_str(), name == session.settings().material)) {
         context.commands.push_back([&session, name] { session.choices().set_material(name); });

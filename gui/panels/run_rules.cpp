@@ -1,11 +1,11 @@
-#include "gui/panels/stop_rules.h"
+#include "gui/panels/run_rules.h"
 
 #include "gui/panels/field_row.h"
 
 namespace patina {
 namespace {
 
-constexpr const char* kButton = "Stop when...";
+constexpr const char* kButton = "Rules...";
 
 /// @return whether another value was typed
 bool edit(const char* label, const char* format, const char* what, double& value) {
@@ -34,14 +34,33 @@ bool edit_rules(StopRules& rules) {
   return changed;
 }
 
+/// @return whether another one was chosen
+bool edit_errors(std::string& errors) {
+  const std::string before = errors;
+  const auto offer = [&](const char* name, const char* label, const char* what) {
+    if (ImGui::RadioButton(label, errors == name)) errors = name;
+    tooltip(what);
+  };
+  offer(
+      "paper", "As usual between renders and photos",
+      "Set by hand. The best match is searched for, and the render looks most like the photo; the intervals "
+      "are as wide as such matches usually need");
+  offer(
+      "calibrated", "Learnt from simulated photos",
+      "Some 1500 photos are simulated in place of a search: they tell how much the material's irregularities "
+      "matter. A minute later ten thousand draws come at once. An experiment: intervals of 90 % still hold "
+      "the truth in fewer than nine cases of ten");
+  return errors != before;
+}
+
 }  // namespace
 
-float stop_rules_width() { return button_width(kButton); }
+float run_rules_width() { return button_width(kButton); }
 
-void draw_stop_rules(const PanelContext& context) {
-  constexpr const char* kName = "stop rules";
+void draw_run_rules(const PanelContext& context) {
+  constexpr const char* kName = "rules of the run";
   if (ImGui::Button(kButton)) ImGui::OpenPopup(kName);
-  tooltip("When a run ends by itself");
+  tooltip("When a run ends by itself, and what its intervals mean");
   if (!ImGui::BeginPopup(kName)) return;
   RunChoices& choices = context.session.choices();
   heading_text(context, "A run ends by itself");
@@ -49,6 +68,10 @@ void draw_stop_rules(const PanelContext& context) {
       "when its draws are this good, or its time is over. Type and press Enter; the next run takes it.");
   StopRules rules = choices.settings().stop;
   if (edit_rules(rules)) context.commands.push_back([&choices, rules] { choices.set_stop_rules(rules); });
+  ImGui::Spacing();
+  heading_text(context, "How far off a render may be");
+  std::string errors = choices.settings().errors;
+  if (edit_errors(errors)) context.commands.push_back([&choices, errors] { choices.set_errors(errors); });
   ImGui::EndPopup();
 }
 

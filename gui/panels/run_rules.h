@@ -4,10 +4,10 @@
 
 namespace patina {
 
-/// A button, and the list that it opens: when the next run ends by itself.
-void draw_stop_rules(const PanelContext& context);
+/// A button, and what it opens: when the next run ends by itself, and what it takes renders to be off by.
+void draw_run_rules(const PanelContext& context);
 
 /// The button's width.
-float stop_rules_width();
+float run_rules_width();
 
 }  // namespace patina

@@ -63,6 +63,14 @@ TEST_F(AppPanels, ARunThatIsStillBeingReadSaysHowFarAndCanBeClosed) {
   EXPECT_TRUE(app_.session().has_photo());
 }
 
+TEST_F(AppPanels, WhatDrawsCostIsShownInABoxUntilEsc) {
+  start_run_of({draw(0.4, 0.5, -1)});
+  click(foot(layout().chains, 0.97f));
+  EXPECT_TRUE(app_.costs().visible());
+  press(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  EXPECT_FALSE(app_.costs().visible());
+}
+
 TEST_F(AppPanels, SpacePausesAndResumes) {
   start_run_of({draw(0.4, 0.5, -1)});
   press(ImGui::GetKeyIndex(ImGuiKey_Space));

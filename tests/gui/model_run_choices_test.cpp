@@ -66,6 +66,14 @@ TEST_F(RunChoicesTest, StopRulesAreTakenUpOrRefusedWithASentence) {
   EXPECT_EQ(choices_.settings().stop, before.stop);
 }
 
+TEST_F(RunChoicesTest, AnotherErrorModelIsAnotherQuestionAndCanBeTakenBack) {
+  const RunSettings before = choices_.settings();
+  choices_.set_errors("calibrated");
+  EXPECT_TRUE(choices_.differ_from(before));
+  choices_.undo();
+  EXPECT_FALSE(choices_.differ_from(before));
+}
+
 TEST_F(RunChoicesTest, APriorThatIsTheMaterialsOwnIsNoChange) {
   const RunSettings before = choices_.settings();
   choices_.set_prior("rough", own("rough"), true);
