@@ -70,18 +70,21 @@ std::string spent_text(const StopEvidence& evidence, double seconds, double rate
 }
 
 std::string alternatives_text(const CostChart& chart, std::size_t own) {
-  const double now = chart.costs[own].seconds;
-  std::string cheaper, off;
+  const DrawingCost& mine = chart.costs[own];
+  std::string cheaper, off, other;
   for (const DrawingCost& cost : chart.costs) {
-    if (!(cost.seconds < kClearlyCheaper * now)) continue;
-    std::string& list = cost.beyond_chance ? off : cheaper;
-    list += (list.empty() ? "" : ", ") + cost.setting.name + " (" + number_text(cost.seconds / now, 2) +
-            " times the time a draw" +
-            (cost.beyond_chance ? ", off by " + number_text(cost.error, 2) + " spreads" : "") + ")";
+    if (!(cost.seconds < kClearlyCheaper * mine.seconds)) continue;
+    const bool asks_another_question = cost.setting.errors != mine.setting.errors;
+    const bool differs = asks_another_question || cost.beyond_chance;
+    std::string& list = asks_another_question ? other : cost.beyond_chance ? off : cheaper;
+    list += (list.empty() ? "" : ", ") + cost.setting.name + " (" +
+            number_text(cost.seconds / mine.seconds, 2) + " times the time a draw" +
+            (differs ? ", averages " + number_text(cost.error, 2) + " spreads away" : "") + ")";
   }
   std::string text = cheaper.empty() ? "No other way that was tried is clearly cheaper and as right."
                                      : "Cheaper and as right: " + cheaper + ".";
   if (!off.empty()) text += " Cheaper but wrong: " + off + ".";
+  if (!other.empty()) text += " Cheaper, by other assumptions about errors: " + other + ".";
   return text;
 }
 

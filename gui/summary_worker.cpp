@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/material/off_values.h"
 #include "engine/run/running_summary.h"
+#include "engine/run/threads.h"
 
 namespace patina {
 namespace {
@@ -88,6 +89,7 @@ struct SummaryWorker::State {
   }
 
   void work(const std::stop_token& stop) {
+    yield_to_the_window();
     ThinnedDraws kept;
     RunningSummary running(table);
     const std::map<std::string, double> off = absent_at(table.material);

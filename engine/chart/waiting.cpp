@@ -56,8 +56,9 @@ std::vector<WaitingPoint> waiting_curve(const Trial& trial, const GoldStandard& 
   RunningMean running(trial.chains);
   std::optional<Eigen::VectorXd> match;
   auto next = trial.search.begin();
-  for (int i = 0; grid_time(i) <= trial.seconds; ++i) {
-    const double now = grid_time(i);
+  int time = 0;
+  for (double now = 0; now < trial.seconds;) {
+    now = grid_time(time++);
     for (; next != trial.search.end() && next->seconds <= now; ++next) match = next->values;
     running.advance(now);
     if (running.draws() > 0)

@@ -17,7 +17,8 @@ struct WaitingPoint {
   bool operator==(const WaitingPoint&) const = default;
 };
 
-/// At ten times a decade, the same ones for every trial, from the first match to the trial's end.
+/// At ten times a decade, the same ones for every trial, from the first match to the first such time at which
+/// the trial has ended.
 std::vector<WaitingPoint> waiting_curve(const Trial& trial, const GoldStandard& gold);
 
 /// The curve of a repeat of a setting: rows of waiting.csv.

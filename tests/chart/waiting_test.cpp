@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"
@@ -54,7 +55,8 @@ TEST(WaitingCurve, is_the_match_and_then_the_mean_of_what_has_been_drawn) {
   const std::vector<WaitingPoint> curve = waiting_curve(trial, gold);
   ASSERT_GT(curve.size(), 10u);
   EXPECT_GE(curve.front().seconds, 0.3) << "nothing before the first match";
-  EXPECT_LE(curve.back().seconds, 12);
+  EXPECT_GE(curve.back().seconds, 12) << "to the trial's end";
+  EXPECT_LT(curve[curve.size() - 2].seconds, 12);
   EXPECT_EQ(curve.front().draws, 0);
   EXPECT_EQ(curve.back().draws, 80);
   for (const WaitingPoint& point : curve) {
@@ -62,6 +64,16 @@ TEST(WaitingCurve, is_the_match_and_then_the_mean_of_what_has_been_drawn) {
     EXPECT_EQ(point.draws, expected.draws) << point.seconds;
     EXPECT_NEAR(point.error, expected.error, 1e-12) << point.seconds;
   }
+}
+
+TEST(WaitingCurve, of_a_trial_that_is_over_in_a_moment_has_its_end) {
+  Trial trial = some_trial();
+  for (ChainTrace& chain : trial.chains) std::ranges::fill(chain.seconds, 0.85);  // between two of the times
+  trial.search.clear();
+  trial.seconds = 0.9;
+  const std::vector<WaitingPoint> curve = waiting_curve(trial, some_gold());
+  ASSERT_EQ(curve.size(), 1u);
+  EXPECT_EQ(curve.front().draws, 80);
 }
 
 TEST(WaitingCurve, of_repeats_is_read_back_and_has_a_median_where_most_of_them_are) {

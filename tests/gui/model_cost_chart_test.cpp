@@ -79,11 +79,19 @@ TEST_F(CostChartTest, SaysWhichWaysAreCheaperAndWhichOfTheseAreWrong) {
   const CostChart chart = read_cost_chart(write(rows())).value();
   const std::string of_default = alternatives_text(chart, 0);
   EXPECT_NE(of_default.find("nuts (0.5 times the time a draw)"), std::string::npos) << of_default;
-  EXPECT_NE(of_default.find("wrong: 32 pixels (0.1 times the time a draw, off by 0.6 spreads)"),
+  EXPECT_NE(of_default.find("wrong: 32 pixels (0.1 times the time a draw, averages 0.6 spreads away)"),
             std::string::npos)
       << of_default;
   EXPECT_EQ(of_default.find("mh"), std::string::npos) << "it is dearer";
   EXPECT_NE(alternatives_text(chart, 1).find("No other way"), std::string::npos);
+}
+
+TEST_F(CostChartTest, DoesNotCallAnotherErrorModelWrong) {
+  std::vector<ChartRow> some = rows();
+  some[2].setting.errors = "calibrated";
+  const std::string text = alternatives_text(*read_cost_chart(write(some)), 0);
+  EXPECT_EQ(text.find("wrong"), std::string::npos) << text;
+  EXPECT_NE(text.find("other assumptions about errors: 32 pixels"), std::string::npos) << text;
 }
 
 TEST_F(CostChartTest, SaysWhatDrawsCostAndWhatHalfTheErrorTakes) {
