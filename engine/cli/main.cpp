@@ -47,9 +47,10 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::RequiredError& error) {
     const bool no_command = app.get_subcommands().empty();
-    return refuse(no_command ? "Name a command: fit, predict, compare, render, summarize, export, materials, chart, "
-                               "calibrate or stress (see patina-cli --help)"
-                             : with_help(error.what()),
+    return refuse(no_command
+                      ? "Name a command: fit, predict, compare, render, summarize, export, materials, chart, "
+                        "calibrate or stress (see patina-cli --help)"
+                      : with_help(error.what()),
                   kBadInput);
   } catch (const CLI::ParseError& error) {
     return refuse(with_help(error.what()), kBadInput);
