@@ -45,8 +45,9 @@ bool settled(const Region& region, const Eigen::VectorXd& mode, const Eigen::Mat
 
 /// Whether no more rounds would bring a photo among the simulated ones.
 bool out_of_reach(const PhotoFit& fit) {
-  constexpr double kFurthest =
-      3;  // photos of the first round, which may be beside the posterior, are at 1 to 2
+  // Photos that the material can make are at 1 to 2 even in the first round, which may be beside the
+  // posterior.
+  constexpr double kFurthest = 3;
   return fit.distance > kFurthest;
 }
 

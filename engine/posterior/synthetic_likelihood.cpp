@@ -35,6 +35,7 @@ SyntheticLikelihood::SyntheticLikelihood(const Region& region, const Eigen::Matr
   const Eigen::VectorXd spread = scores.rowwise().squaredNorm() / static_cast<double>(scores.cols());
   const Eigen::LLT<Eigen::MatrixXd> errors(
       mean.covariance() + Eigen::MatrixXd((1e-10 * spread.array() + 1e-20).matrix().asDiagonal()));
+  coefficients_ = errors.matrixL().solve(mean.coefficients);
   seen_ = errors.matrixL().solve(observed);
   learn_variances(design, offsets, errors.matrixL().solve(scores), errors.matrixL().solve(mean.left_out()));
 }
@@ -46,7 +47,6 @@ void SyntheticLikelihood::learn_variances(const Eigen::MatrixXd& design, const E
   constexpr int kTurns = 2;
   const Eigen::Index size = scores.rows();
   const double unknown_mean = static_cast<double>(design.cols()) / static_cast<double>(design.rows());
-  coefficients_ = LeastSquares(design, scores).coefficients;
   log_variances_ = Eigen::VectorXd::Constant(size, std::log1p(unknown_mean));
   growth_ = Eigen::MatrixXd::Zero(size, offsets.rows());
   if (offsets.cols() < kPhotosAGrowth * (1 + offsets.rows())) return;

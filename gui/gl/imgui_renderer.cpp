@@ -30,11 +30,6 @@ struct PixelRect {
   GLsizei width = 0, height = 0;
 };
 
-PixelRect pixel_rect(const ImDrawData& data, int left, int top, int right, int bottom) {
-  const auto height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
-  return {left, height - bottom, right - left, bottom - top};
-}
-
 PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command) {
   const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
   const ImVec4& clip = command.ClipRect;
@@ -48,8 +43,9 @@ PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command) {
 PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high) {
   const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
   const auto edge = [](float at) { return static_cast<int>(std::ceil(at - 0.5f)); };
-  return pixel_rect(data, edge((low.x - origin.x) * scale.x), edge((low.y - origin.y) * scale.y),
-                    edge((high.x - origin.x) * scale.x), edge((high.y - origin.y) * scale.y));
+  const int left = edge((low.x - origin.x) * scale.x), right = edge((high.x - origin.x) * scale.x);
+  const int top = edge((low.y - origin.y) * scale.y), bottom = edge((high.y - origin.y) * scale.y);
+  return {left, static_cast<int>(data.DisplaySize.y * scale.y) - bottom, right - left, bottom - top};
 }
 
 PixelRect common_part(const PixelRect& a, const PixelRect& b) {
