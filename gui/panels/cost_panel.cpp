@@ -51,14 +51,7 @@ void CostPanel::follow(const std::string& material) {
 
 void CostPanel::draw(const PanelContext& context) {
   constexpr const char* kName = "How fast, how sure##costs";
-  if (open_ && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(52 * em, display.x - 2 * em), std::min(44 * em, display.y - 2 * em)});
-  if (!ImGui::BeginPopupModal(
-          kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
-    return;
+  if (!begin_box(kName, open_, {52, 44})) return;
   const Session& session = context.session;
   const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
   follow(settings.material);

@@ -119,16 +119,7 @@ void FileDialog::draw_buttons() {
 }
 
 std::optional<fs::path> FileDialog::draw(const PanelContext& context, ExportForm& form) {
-  if (visible_ && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(44 * em, display.x - 2 * em), std::min(34 * em, display.y - 2 * em)});
-  if (!ImGui::BeginPopupModal(
-          kName, nullptr,
-          ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    return std::nullopt;
-  }
+  if (!begin_box(kName, visible_, {44, 34})) return std::nullopt;
   heading_text(context, purpose_ == Purpose::open ? "Open a photo or a run" : "Export the draw");
   draw_path();
   const bool exports = purpose_ == Purpose::export_folder;

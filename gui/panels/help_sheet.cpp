@@ -1,6 +1,5 @@
 #include "gui/panels/help_sheet.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -70,14 +69,7 @@ void draw_keys(const PanelContext& context, const std::vector<Action>& actions) 
 
 void draw_help_sheet(const PanelContext& context, const std::vector<Action>& actions, bool& open) {
   constexpr const char* kName = "Help##sheet";
-  if (open && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(74 * em, display.x - 2 * em), std::min(50 * em, display.y - 2 * em)});
-  if (!ImGui::BeginPopupModal(
-          kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
-    return;
+  if (!begin_box(kName, open, {74, 50})) return;
   const float below = ImGui::GetFrameHeightWithSpacing(), half = 0.5f * ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("keys", {half, -below});
   draw_keys(context, actions);

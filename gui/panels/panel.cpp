@@ -58,6 +58,17 @@ PanelScope::PanelScope(const char* title, const Rect& rect, const PanelContext& 
 
 PanelScope::~PanelScope() { ImGui::End(); }
 
+bool begin_box(const char* name, bool visible, ImVec2 em) {
+  if (visible && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float unit = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize(
+      {std::min(em.x * unit, display.x - 2 * unit), std::min(em.y * unit, display.y - 2 * unit)});
+  return ImGui::BeginPopupModal(
+      name, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+}
+
 void heading_text(const PanelContext& context, const std::string& text) {
   ImGui::PushFont(context.heading);
   ImGui::TextUnformatted(text.c_str());

@@ -32,6 +32,11 @@ class PanelScope {
   PanelScope& operator=(const PanelScope&) = delete;
 };
 
+/// A box over the middle of the window that takes all input, while `visible`.
+/// @param em  its size, cut to the window's
+/// @return whether it is there, to be filled and ended by ImGui::EndPopup()
+bool begin_box(const char* name, bool visible, ImVec2 em);
+
 /// Text in the heading's font.
 void heading_text(const PanelContext& context, const std::string& text);
 

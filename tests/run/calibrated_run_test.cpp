@@ -7,6 +7,7 @@
 #include "engine/run/manifest.h"
 #include "engine/run/run_files.h"
 #include "engine/run/state_file.h"
+#include "tests/run/odd_photos.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -70,15 +71,7 @@ TEST_F(CalibratedRunTest, AnUnknownErrorModelIsRefusedWithThoseThatAreKnown) {
 }
 
 TEST_F(CalibratedRunTest, OfAPhotoOfSomethingElseSaysThatItDoesNotLookLikeTheMaterial) {
-  Image image(48, 48, 3);
-  for (int row = 0; row < 48; ++row)
-    for (int column = 0; column < 48; ++column) {
-      const bool hole = std::hypot(row - 23.5, column - 23.5) < 16;
-      image.at(row, column, 0) = hole ? 0 : 0.9F;
-      image.at(row, column, 1) = 0.9F;
-      image.at(row, column, 2) = hole ? 0 : 0.9F;
-    }
-  const auto run = start_run(calibrated(), photo_of(image), directory());
+  const auto run = start_run(calibrated(), photo_of(green_hole_in_white()), directory());
   draws_to_the_end(*run);
   const Alarms alarms = run->status().alarms;
   const auto misfit = std::ranges::find(alarms, "misfit", &Alarm::name);

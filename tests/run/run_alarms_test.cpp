@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/run/odd_photos.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -72,15 +73,7 @@ TEST_F(RunAlarmsOfARun, a_render_of_the_material_itself_raises_none) {
 }
 
 TEST_F(RunAlarmsOfARun, a_green_hole_in_white_is_far_from_any_match_and_the_directory_says_so) {
-  Image image(48, 48, 3);
-  for (int row = 0; row < 48; ++row)
-    for (int column = 0; column < 48; ++column) {
-      const bool hole = std::hypot(row - 23.5, column - 23.5) < 16;
-      image.at(row, column, 0) = hole ? 0 : 0.9F;
-      image.at(row, column, 1) = 0.9F;
-      image.at(row, column, 2) = hole ? 0 : 0.9F;
-    }
-  const Alarms alarms = alarms_of(image);
+  const Alarms alarms = alarms_of(green_hole_in_white());
   EXPECT_TRUE(std::ranges::find(alarms, "misfit", &Alarm::name) != alarms.end());
 }
 
