@@ -50,6 +50,7 @@ void RunChoices::set_material(const std::string& name) {
   RunSettings changed = settings();
   changed.material = name;
   changed.summary.clear();
+  changed.refresh.reset();
   changed.start = RunSettings().start;
   changed.start_at.clear();
   changed.fixed.clear();

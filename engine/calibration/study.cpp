@@ -4,11 +4,13 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <utility>
 
 #include "engine/calibration/coverage.h"
 #include "engine/diagnostics/convergence.h"
 #include "engine/material/renderer.h"
-#include "engine/posterior/synthetic_likelihood.h"
+#include "engine/posterior/regressed_likelihood.h"
+#include "engine/run/predicted_start.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
@@ -26,6 +28,7 @@ constexpr std::uint64_t kSeedsAStudy = 100'000;
 
 /// A photo, and what is known of it.
 struct Case {
+  Image photo;
   Posterior posterior;
   Position truth;
 };
@@ -58,7 +61,9 @@ Case make_case(const StudySettings& study, int photo, Rng& rng) {
   const Renderer renderer(settings.material, kPhotos + offset, settings.capture);
   const Camera& camera = study.camera;
   const Image render = renderer.render(any.values(truth), settings.resolution * camera.oversampling);
-  return {Posterior(settings, photographed(render, camera, rng)), truth};
+  Image taken = photographed(render, camera, rng);
+  Posterior posterior(settings, taken);
+  return {std::move(taken), std::move(posterior), truth};
 }
 
 MapSearchResult search(const Posterior& posterior, Rng& rng) {
@@ -75,17 +80,16 @@ Target hand_set(Posterior posterior, Rng& rng) {
   return {std::move(posterior), best.position, std::move(laplace)};
 }
 
-Target calibrated(const Posterior& posterior, const Simulator& simulator, const Pilot& pilot,
-                  const StudySettings& study, PhotoOutcome& outcome) {
-  Calibration found = calibrate(simulator, pilot, study.simulations);
+Target calibrated(const Calibration& found, const Posterior& posterior, const StudySettings& study,
+                  PhotoOutcome& outcome) {
   outcome.distance = found.fit.distance;
   outcome.widening = found.fit.widening;
   outcome.simulated = found.photos;
   const Eigen::Index levels = std::ssize(posterior.discrete_levels());
   const double variance = study.error_scale * study.error_scale;
-  return {posterior.with(std::make_shared<const SyntheticLikelihood>(found.likelihood.widened(variance))),
+  return {posterior.with(std::make_shared<const RegressedLikelihood>(found.likelihood.widened(variance))),
           {found.mode, Eigen::VectorXi::Zero(levels)},
-          std::move(found.covariance)};
+          found.covariance};
 }
 
 /// Chains begin wider than the posterior, so that R-hat can tell.
@@ -137,20 +141,26 @@ void judge(const Sample& sample, const Case& example, const Posterior& posterior
 
 CalibrationStudy::CalibrationStudy(const StudySettings& settings, int threads,
                                    std::function<void()> enter_thread)
-    : settings_(settings) {
+    : settings_(settings), threads_(threads), enter_thread_(std::move(enter_thread)) {
   const Posterior posterior(settings.posterior, blank(settings.posterior.resolution));
   quantities_.emplace_back("lp");
   for (const Parameter& parameter : posterior.table().continuous)
     if (!settings.posterior.fixed.contains(parameter.name)) quantities_.push_back(parameter.name);
-  if (!settings.calibrated) return;
-  pool_ = make_pool(posterior.table(), kSimulated);
-  const Simulator simulator{.posterior = posterior,
-                            .pool = *pool_,
-                            .camera = settings.camera,
-                            .seed = seed_of(settings, 0),
-                            .threads = threads,
-                            .enter_thread = std::move(enter_thread)};
-  pilot_.emplace(simulator, settings.simulations.pilot);
+  if (settings.calibrated) pool_ = make_pool(posterior.table(), kSimulated);
+}
+
+const Pilot& CalibrationStudy::pilot() const {
+  std::call_once(pilot_made_, [&] {
+    const Posterior posterior(settings_.posterior, blank(settings_.posterior.resolution));
+    const Simulator simulator{.posterior = posterior,
+                              .pool = *pool_,
+                              .camera = settings_.camera,
+                              .seed = seed_of(settings_, 0),
+                              .threads = threads_,
+                              .enter_thread = enter_thread_};
+    pilot_.emplace(simulator, settings_.simulations.pilot);
+  });
+  return *pilot_;
 }
 
 PhotoOutcome CalibrationStudy::run(int photo) const {
@@ -163,9 +173,14 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
   Case example = make_case(settings_, photo, rng);
   const auto target_of = [&] {
     if (!settings_.calibrated) return hand_set(std::move(example.posterior), rng);
-    const Simulator simulator{
-        .posterior = example.posterior, .pool = *pool_, .camera = settings_.camera, .seed = seed};
-    return calibrated(example.posterior, simulator, *pilot_, settings_, outcome);
+    const Simulator simulator{.posterior = example.posterior,
+                              .pool = *pool_,
+                              .camera = settings_.camera,
+                              .seed = seed,
+                              .guess = region_guess(example.posterior, settings_.posterior.capture)};
+    const Calibration found = calibrate(
+        simulator, example.photo, [&]() -> const Pilot& { return pilot(); }, settings_.simulations);
+    return calibrated(found, example.posterior, settings_, outcome);
   };
   const Target target = target_of();
   const Sample sample = draw(target, settings_, seed);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +50,6 @@ struct PhotoOutcome {
 /// settings and its number only. For several threads.
 class CalibrationStudy {
  public:
-  /// With calibrated errors the pilot's photos are simulated here.
   /// @throws UserError as Posterior does
   CalibrationStudy(const StudySettings& settings, int threads, std::function<void()> enter_thread);
 
@@ -59,9 +59,14 @@ class CalibrationStudy {
   PhotoOutcome run(int photo) const;
 
  private:
+  const Pilot& pilot() const;
+
   StudySettings settings_;
-  std::shared_ptr<IrregularityPool> pool_;
-  std::optional<Pilot> pilot_;  ///< of calibrated errors
+  int threads_;
+  std::function<void()> enter_thread_;
+  std::shared_ptr<IrregularityPool> pool_;  ///< of calibrated errors
+  mutable std::once_flag pilot_made_;
+  mutable std::optional<Pilot> pilot_;  ///< made for the first photo that needs it
   std::vector<std::string> quantities_;
 };
 

@@ -211,9 +211,9 @@ ChartPlan make_plan(std::vector<ChartSetting> settings, std::uint64_t seed, doub
   constexpr std::uint64_t kGoldSeeds = 1'000'003;  // away from those of repeats
   const auto threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   ChartPlan plan;
-  plan.settings = std::move(settings);
   plan.trial = {seed, draws, seconds, threads};
-  plan.gold = {gold_settings(), {seed + kGoldSeeds, gold_draws, gold_seconds, threads}};
+  plan.gold = {gold_settings(settings.front()), {seed + kGoldSeeds, gold_draws, gold_seconds, threads}};
+  plan.settings = std::move(settings);
   return plan;
 }
 

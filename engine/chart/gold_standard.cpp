@@ -48,8 +48,8 @@ void join(std::vector<Eigen::MatrixXd>& all, const std::vector<Eigen::MatrixXd>&
 
 }  // namespace
 
-std::vector<ChartSetting> gold_settings() {
-  ChartSetting first = default_setting(), second = default_setting();
+std::vector<ChartSetting> gold_settings(const ChartSetting& usual) {
+  ChartSetting first = usual, second = usual;
   first.name = "gold: " + first.kernel + " " + first.metric;
   second.kernel = "mala";
   second.metric = "dense";

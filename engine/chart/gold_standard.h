@@ -17,7 +17,7 @@ struct GoldPlan {
 };
 
 /// The default, and MALA in a dense metric with two thirds of the default's refresh moves.
-std::vector<ChartSetting> gold_settings();
+std::vector<ChartSetting> gold_settings(const ChartSetting& usual);
 
 /// A quantity in the gold standard.
 struct GoldQuantity {

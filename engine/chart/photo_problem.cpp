@@ -51,7 +51,7 @@ std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSettin
 
 ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed,
                                          const std::function<void()>& simulated) const {
-  CalibratedMode found = learn_errors(*posterior_, seed, simulated);
+  CalibratedMode found = learn_errors(*posterior_, photo_, settings_.capture, seed, simulated);
   return {std::make_unique<Posterior>(posterior_->with(found.errors.likelihood)), std::move(found.mode),
           std::move(found.laplace)};
 }

@@ -15,7 +15,8 @@ constexpr int kQuickWarmup = 500;
 /// The settings of a preset, each the default but for what its change says.
 class Matrix {
  public:
-  explicit Matrix(const ChartTarget& target) : target_(target), settings_{default_setting()} {}
+  explicit Matrix(const ChartTarget& target)
+      : target_(target), settings_{default_setting(target.has_jagged)} {}
 
   template <typename T>
   void add(const std::string& name, T ChartSetting::*field, const T& value) {
@@ -24,10 +25,10 @@ class Matrix {
 
   /// Left out if it changes nothing, or cannot be run on the target.
   void add(const std::string& name, const std::function<void(ChartSetting&)>& change) {
-    ChartSetting setting = default_setting();
+    ChartSetting setting = settings_.front();
     change(setting);
     if (setting.summary == target_.summary) setting.summary.clear();
-    if (setting == default_setting() || (target_.has_jagged && setting.refresh == 0)) return;
+    if (setting == settings_.front() || (target_.has_jagged && setting.refresh == 0)) return;
     setting.name = name;
     settings_.push_back(setting);
   }
@@ -63,7 +64,8 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   for (const char* kernel : {"mh", "mala", "nuts"})
     matrix.add<std::string>(kernel, &ChartSetting::kernel, kernel);
   matrix.add<std::string>("dense metric", &ChartSetting::metric, "dense");
-  matrix.add("refresh 0.25", &ChartSetting::refresh, 0.25);
+  for (const char* refresh : {"0.25", "0.75"})
+    matrix.add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
   matrix.add_calibrated();
@@ -73,7 +75,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
 std::vector<ChartSetting> full(const ChartTarget& target) {
   Matrix matrix(target);
   add_kernels_and_metrics(matrix);
-  for (const char* refresh : {"0", "0.25", "0.5", "0.9"})
+  for (const char* refresh : {"0", "0.25", "0.5", "0.75", "0.9"})
     matrix.add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
   for (const char* length : {"0.6", "3"})
     matrix.add(std::string("path ") + length, &ChartSetting::path_length, std::stod(length));
@@ -92,7 +94,7 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
 
 }  // namespace
 
-ChartSetting default_setting() {
+ChartSetting default_setting(bool has_jagged) {
   const RunSettings run;
   ChartSetting setting;
   setting.name = kDefaultSetting;
@@ -104,7 +106,7 @@ ChartSetting default_setting() {
   setting.chains = run.chains;
   setting.warmup = run.warmup;
   setting.alpha = run.alpha;
-  setting.refresh = run.refresh;
+  setting.refresh = run.refresh.value_or(usual_refresh(has_jagged));
   setting.path_length = run.path_length;
   return setting;
 }

@@ -26,7 +26,8 @@ struct ChartSetting {
 inline constexpr const char* kDefaultSetting = "default";
 
 /// How a run draws that is told nothing (RunSettings), named kDefaultSetting.
-ChartSetting default_setting();
+/// @param has_jagged  whether its target has jagged coordinates
+ChartSetting default_setting(bool has_jagged = false);
 
 /// What of a target decides which settings make sense.
 struct ChartTarget {

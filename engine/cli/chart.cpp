@@ -64,9 +64,10 @@ int chart(const Options& options) {
   check(options);
   use_tensor_threads(hardware_threads());
   const PhotoProblem problem = problem_of(options);
-  ChartPlan plan = make_plan(preset_settings(options.preset, problem.target()), options.seed,
-                             60 * options.minutes_per_setting / options.repeats, options.draws,
-                             60 * options.gold_minutes / std::ssize(gold_settings()), options.draws);
+  const std::vector<ChartSetting> settings = preset_settings(options.preset, problem.target());
+  const auto gold_kinds = std::ssize(gold_settings(settings.front()));
+  ChartPlan plan = make_plan(settings, options.seed, 60 * options.minutes_per_setting / options.repeats,
+                             options.draws, 60 * options.gold_minutes / gold_kinds, options.draws);
   if (options.warmup > 0) plan.settings = with_warmup(plan.settings, options.warmup);
   plan.gold.settings = with_warmup(plan.gold.settings, plan.settings.front().warmup);
   plan.repeats = options.repeats;

@@ -87,7 +87,9 @@ void FitOptions::add_sampler(CLI::App& command) {
   add(command, "--alpha", &RunSettings::alpha,
       "Share of continuous moves, where there are discrete parameters");
   add(command, "--refresh", &RunSettings::refresh,
-      "Share of the continuous moves that refresh one parameter from its prior");
+      "Share of the continuous moves that refresh one parameter from its prior (default: 0.75 where a "
+      "parameter is one that gradients do not move, else 0.25)",
+      "SHARE");
   add(command, "--path-length", &RunSettings::path_length,
       "Mean length of hmc's trajectories, in standard deviations");
   add(command, "--temper", &RunSettings::temper,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "engine/posterior/measure_photo_fit.h"
 #include "engine/sampling/map_search.h"
@@ -12,32 +13,47 @@
 namespace patina {
 namespace {
 
-/// The scores of the pilot and those of the round before.
-struct ScoresInUse {
-  const Scores& first;
-  std::optional<Scores> latest;
-
-  Eigen::MatrixXd operator()(const Eigen::MatrixXd& summaries) const {
-    const Eigen::MatrixXd a = first(summaries);
-    if (!latest) return a;
-    const Eigen::MatrixXd b = (*latest)(summaries);
-    Eigen::MatrixXd both(a.rows() + b.rows(), a.cols());
-    both << a, b;
-    return both;
-  }
+/// What a photo is compared by before any is simulated for it, and where the first round's are.
+struct FirstLook {
+  const Scores* scores;  ///< null: guesses are the scores
+  Eigen::VectorXd seen;  ///< the photo's scores
+  Region region;
 };
+
+FirstLook first_look(const Pilot& pilot, const Eigen::VectorXd& summary) {
+  Eigen::VectorXd seen = pilot.scores()(summary);
+  Region region = pilot.region(seen);
+  return {&pilot.scores(), std::move(seen), std::move(region)};
+}
+
+FirstLook first_look(const Region& guess) {
+  return {nullptr, guess.centre, region_around(guess.centre, guess.factor * guess.factor.transpose(), guess)};
+}
+
+Eigen::MatrixXd stacked(const Eigen::MatrixXd& above, const Eigen::MatrixXd& below) {
+  Eigen::MatrixXd both(above.rows() + below.rows(), above.cols());
+  both << above, below;
+  return both;
+}
+
+/// The first look's scores and, once there are such, those that the round before has taught.
+Eigen::MatrixXd scores_of(const SimulatedPhotos& photos, const FirstLook& first,
+                          const std::optional<Scores>& taught) {
+  const Eigen::MatrixXd scores = first.scores ? (*first.scores)(photos.summaries) : photos.guesses;
+  return taught ? stacked(scores, (*taught)(photos.summaries)) : scores;
+}
 
 /// The normal approximation of the posterior that a likelihood makes, from a place to climb from.
 void approximate(const Posterior& posterior, const Eigen::VectorXd& start, Calibration& of) {
-  const Posterior target = posterior.with(std::make_shared<const SyntheticLikelihood>(of.likelihood));
+  const Posterior target = posterior.with(std::make_shared<const RegressedLikelihood>(of.likelihood));
   const auto levels = static_cast<Eigen::Index>(posterior.discrete_levels().size());
   of.mode = maximize(target, {start, Eigen::VectorXi::Zero(levels)}).position.continuous;
   of.covariance = laplace_covariance(target, {of.mode, Eigen::VectorXi::Zero(levels)});
 }
 
-/// Whether a round's photos were where its posterior is, and along no coordinate much further apart.
+/// Whether a round's photos were where its posterior is, and about as far apart.
 bool settled(const Region& region, const Eigen::VectorXd& mode, const Eigen::MatrixXd& covariance) {
-  constexpr double kWidest = 1.5, kNarrowest = 0.04;  // variances; a region of the right width has 0.44
+  constexpr double kWidest = 1.5, kNarrowest = 0.1;  // variances; a region of the right width has 0.44
   const Eigen::ArrayXd shares = covariance.diagonal().array() / region.factor.rowwise().squaredNorm().array();
   return region.offset(mode).norm() < std::sqrt(static_cast<double>(mode.size())) &&
          shares.maxCoeff() < kWidest && shares.minCoeff() > kNarrowest;
@@ -51,44 +67,55 @@ bool out_of_reach(const PhotoFit& fit) {
   return fit.distance > kFurthest;
 }
 
-Calibration in_rounds(const Simulator& simulator, const Pilot& pilot, const CalibrationSettings& settings) {
+Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
+                      const CalibrationSettings& settings) {
   const Posterior& posterior = simulator.posterior;
   const auto informed = posterior.informed();
-  const Eigen::VectorXd photo = pilot.compression()(posterior.photo_summary());
-  ScoresInUse scores{pilot.scores(), {}};
-  Region region = pilot.region(scores(photo));
+  const Eigen::VectorXd photo = posterior.photo_summary();
+  std::optional<Scores> taught;
+  Region region = first.region;
   Calibration result;
   for (int round = 1;; ++round) {
-    const int photos = round == 1 ? settings.first : settings.later;
-    const SimulatedPhotos simulated = simulate(simulator, region, photos, static_cast<std::uint64_t>(round));
-    result.photos += photos;
-    const Eigen::MatrixXd summaries = pilot.compression()(simulated.summaries);
-    result.likelihood = SyntheticLikelihood(region, simulated.offsets, scores(summaries), scores(photo));
+    const SimulatedPhotos simulated =
+        simulate(simulator, region, settings.round, static_cast<std::uint64_t>(round));
+    result.photos += settings.round;
+    const Eigen::VectorXd seen = taught ? Eigen::VectorXd(stacked(first.seen, (*taught)(photo))) : first.seen;
+    result.likelihood =
+        RegressedLikelihood(region, simulated.offsets, scores_of(simulated, first, taught), seen);
     Eigen::VectorXd start = Eigen::VectorXd::Zero(posterior.dimension());
     start(informed) = region.centre;
     approximate(posterior, start, result);
     const Eigen::VectorXd mode = result.mode(informed);
     const Eigen::MatrixXd covariance = result.covariance(informed, informed);
-    result.fit = measure_photo_fit(simulated.offsets, summaries, photo, region.offset(mode));
+    const Compression compression(simulated.summaries, posterior.moments());
+    result.fit = measure_photo_fit(simulated.offsets, compression(simulated.summaries), compression(photo),
+                                   region.offset(mode));
     const bool hopeless = simulator.discrepancy == 0 && out_of_reach(result.fit);
     if (hopeless || round >= settings.most_rounds || (round > 1 && settled(region, mode, covariance))) {
       result.likelihood = result.likelihood.widened(result.fit.widening);
       approximate(posterior, result.mode, result);
       return result;
     }
-    scores.latest.emplace(simulated.offsets, summaries);
+    taught.emplace(simulated.offsets, simulated.summaries, compression);
     region = region_around(mode, covariance, region);
   }
 }
 
 }  // namespace
 
-Calibration calibrate(const Simulator& simulator, const Pilot& pilot, const CalibrationSettings& settings) {
-  Calibration exact = in_rounds(simulator, pilot, settings);
+Calibration calibrate(const Simulator& simulator, const Image& photo,
+                      const std::function<const Pilot&()>& pilot, const CalibrationSettings& settings) {
+  const Eigen::VectorXd summary = simulator.posterior.photo_summary();
+  const FirstLook first =
+      simulator.guess ? first_look(simulator.guess.region(photo)) : first_look(pilot(), summary);
+  Calibration exact = in_rounds(simulator, first, settings);
   if (exact.fit.p > kRare) return exact;
+  // A guess may be far off where photos are off by more than irregularities, and does not know by how much.
   Simulator rough = simulator;
+  rough.guess = {};
   rough.discrepancy = 1;
-  Calibration result = in_rounds(rough, pilot.with_discrepancy(rough), settings);
+  const Pilot rough_pilot = pilot().with_discrepancy(rough);
+  Calibration result = in_rounds(rough, first_look(rough_pilot, summary), settings);
   result.fit.discrepancy = rough.discrepancy;
   result.photos += exact.photos;
   return result;

@@ -2,25 +2,26 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 #include "engine/posterior/photo_fit.h"
 #include "engine/posterior/pilot.h"
 #include "engine/posterior/posterior.h"
+#include "engine/posterior/regressed_likelihood.h"
 #include "engine/posterior/simulate.h"
-#include "engine/posterior/synthetic_likelihood.h"
 
 namespace patina {
 
 /// How much is simulated to learn a likelihood.
 struct CalibrationSettings {
   int pilot = 1000;  ///< photos of the prior, of use to all photos of a material
-  int first = 150;   ///< photos of the first round
-  int later = 300;   ///< of each later one
+  int round = 150;   ///< photos of each round
   int most_rounds = 4;
 };
 
 /// A likelihood of simulations around a photo's posterior, and that posterior's normal approximation.
 struct Calibration {
-  SyntheticLikelihood likelihood;
+  RegressedLikelihood likelihood;
   PhotoFit fit;
   Eigen::VectorXd mode;        ///< of all coordinates
   Eigen::MatrixXd covariance;  ///< of Laplace's approximation there
@@ -32,8 +33,10 @@ struct Calibration {
 /// that are off by the hand-set errors as well; what is then still rare widens the errors. In rounds: photos
 /// are simulated about as far as the posterior reaches, by the round before; the likelihood that they make
 /// moves and narrows the posterior; and they say by what scores the next round's are compared, beside the
-/// pilot's. It ends with the second round whose posterior is where, and as wide as, its photos are.
-/// @param simulator  of the photo's posterior
-Calibration calibrate(const Simulator& simulator, const Pilot& pilot, const CalibrationSettings& settings);
+/// first round's, which are guesses or, without these and for photos with hand-set errors, a pilot's. It ends
+/// with the second round whose posterior is where, and as wide as, its photos are.
+/// @param simulator  of the photo's posterior   @param pilot  is asked for it at most where it is needed
+Calibration calibrate(const Simulator& simulator, const Image& photo,
+                      const std::function<const Pilot&()>& pilot, const CalibrationSettings& settings);
 
 }  // namespace patina

@@ -11,13 +11,15 @@ namespace patina {
 /// own below what is usual.
 class Compression {
  public:
-  /// @param summaries  entries x n, of photos of the prior   @param moments  which entries are second moments
+  Compression() = default;  ///< leaves all as it is
+
+  /// @param summaries  entries x n, of a region's photos   @param moments  which entries are second moments
   Compression(const Eigen::MatrixXd& summaries, const std::vector<bool>& moments);
 
   Eigen::MatrixXd operator()(const Eigen::MatrixXd& summaries) const;
 
  private:
-  Eigen::VectorXd scales_;  ///< 0: the entry stays as it is
+  Eigen::VectorXd scales_;  ///< 0: the entry stays as it is; none: all do
 };
 
 }  // namespace patina

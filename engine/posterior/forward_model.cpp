@@ -41,16 +41,19 @@ at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
   return (*summary)(photograph(surface, capture, resolution, DisplayCurve::srgb));
 }
 
-at::Tensor ForwardModel::summary_of_photo(const ParameterValues& values, const Irregularities& z,
-                                          const Camera& camera, Rng& rng) const {
+Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,
+                          Rng& rng) const {
   const at::NoGradGuard no_grad;
   const int side = resolution * camera.oversampling;
   const Surface surface =
       material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture, side);
-  const Image photo =
-      photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);
-  if (side == resolution) return (*summary)(to_tensor(photo));
-  const at::Tensor smaller = resampling->of_side(side);
+  return photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);
+}
+
+at::Tensor ForwardModel::summary_of_photo(const Image& photo) const {
+  const at::NoGradGuard no_grad;
+  if (photo.width == resolution) return (*summary)(to_tensor(photo));
+  const at::Tensor smaller = resampling->of_side(photo.width);
   return (*summary)(
       at::matmul(at::matmul(smaller, to_tensor(photo)), smaller.transpose(0, 1)).clamp(0, 1).contiguous());
 }

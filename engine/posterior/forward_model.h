@@ -27,9 +27,12 @@ struct ForwardModel {
   at::Tensor summary_of_render(const ParameterTensors& parameters, const std::vector<int>& discrete,
                                const Irregularities& z) const;
 
-  /// Of a photo that a camera takes of it, without a graph. @return [p] float32
-  at::Tensor summary_of_photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,
-                              Rng& rng) const;
+  /// That a camera takes, with Camera::oversampling times the pixels that are compared.
+  Image photo(const ParameterValues& values, const Irregularities& z, const Camera& camera, Rng& rng) const;
+
+  /// Of one that photo() has made: faster than summary_of(), and the same but for rounding.
+  /// @return [p] float32
+  at::Tensor summary_of_photo(const Image& photo) const;
 
   /// Of a photo. @param photo  square, sRGB in [0,1], of any resolution
   at::Tensor summary_of(const Image& photo) const;

@@ -11,6 +11,7 @@ struct LeastSquares {
   Eigen::MatrixXd residuals;     ///< outputs x n
   Eigen::VectorXd leverages;     ///< n
   double degrees;                ///< of freedom left
+  Eigen::MatrixXd root;          ///< R of the design's QR
 
   /// @param design  n x features, of full rank   @param values  outputs x n
   LeastSquares(const Eigen::MatrixXd& design, const Eigen::MatrixXd& values)
@@ -20,6 +21,12 @@ struct LeastSquares {
     coefficients = qr.solve(values.transpose()).transpose();
     residuals = values - coefficients * design.transpose();
     leverages = basis.rowwise().squaredNorm();
+    root = qr.matrixQR().topRows(design.cols()).triangularView<Eigen::Upper>();
+  }
+
+  /// Variance of what is predicted for these features, over that of a residual.
+  double leverage_of(const Eigen::VectorXd& features) const {
+    return root.transpose().triangularView<Eigen::Lower>().solve(features).squaredNorm();
   }
 
   Eigen::VectorXd variances() const { return residuals.rowwise().squaredNorm() / degrees; }

@@ -42,8 +42,7 @@ Pilot::Pilot(const Simulator& simulator, int photos)
 
 Pilot::Pilot(SimulatedPhotos simulated, const std::vector<bool>& moments)
     : photos_(std::move(simulated)),
-      compression_(photos_.summaries, moments),
-      scores_(photos_.offsets, compression_(photos_.summaries)) {
+      scores_(photos_.offsets, photos_.summaries, Compression(photos_.summaries, moments)) {
   const Eigen::MatrixXd errors = photos_.offsets - scores_.left_out();
   precision_ = inverse(errors * errors.transpose() / static_cast<double>(errors.cols()));
 }

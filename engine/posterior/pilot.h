@@ -2,15 +2,14 @@
 
 #include <Eigen/Core>
 
-#include "engine/posterior/compression.h"
 #include "engine/posterior/region.h"
 #include "engine/posterior/scores.h"
 #include "engine/posterior/simulate.h"
 
 namespace patina {
 
-/// What photos of the whole prior say of any photo of a material: how summaries are compressed, first scores,
-/// and about where a photo's posterior lies.
+/// What photos of the whole prior say of any photo of a material: first scores, and about where a photo's
+/// posterior lies.
 class Pilot {
  public:
   Pilot(const Simulator& simulator, int photos);
@@ -18,7 +17,6 @@ class Pilot {
   /// The same photos with the simulator's discrepancy.
   Pilot with_discrepancy(const Simulator& simulator) const;
 
-  const Compression& compression() const { return compression_; }
   const Scores& scores() const { return scores_; }
 
   /// About the posterior of a photo with these scores: local linear regression of the places of the simulated
@@ -29,7 +27,6 @@ class Pilot {
   Pilot(SimulatedPhotos simulated, const std::vector<bool>& moments);
 
   SimulatedPhotos photos_;
-  Compression compression_;
   Scores scores_;
   Eigen::MatrixXd precision_;  ///< of the scores' errors
 };

@@ -20,7 +20,7 @@
 #include "engine/posterior/error_model.h"
 #include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
-#include "engine/posterior/synthetic_likelihood.h"
+#include "engine/posterior/regressed_likelihood.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
@@ -44,7 +44,7 @@ struct Posterior::Parts {
   std::shared_ptr<const Irregularities> z;
   at::Tensor photo_summary;
   at::Tensor inverse_sigma;
-  std::shared_ptr<const SyntheticLikelihood> calibrated;  ///< null: the errors are the hand-set ones
+  std::shared_ptr<const RegressedLikelihood> calibrated;  ///< null: the errors are the hand-set ones
   std::vector<Eigen::Index> informed;                     ///< coordinates that it is of
 
   Parts(const PosteriorSettings& s, const Image& photo)
@@ -165,9 +165,13 @@ std::vector<bool> Posterior::moments() const {
   return moments;
 }
 
-Eigen::VectorXd Posterior::simulated_summary(const Position& position, const Irregularities& z,
-                                             const Camera& camera, Rng& rng) const {
-  return to_vector(parts_->model.summary_of_photo(values(position), z, camera, rng));
+Image Posterior::simulated_photo(const Position& position, const Irregularities& z, const Camera& camera,
+                                 Rng& rng) const {
+  return parts_->model.photo(values(position), z, camera, rng);
+}
+
+Eigen::VectorXd Posterior::simulated_summary(const Image& photo) const {
+  return to_vector(parts_->model.summary_of_photo(photo));
 }
 
 std::vector<Eigen::Index> Posterior::informed() const {
@@ -178,7 +182,7 @@ std::vector<Eigen::Index> Posterior::informed() const {
   return informed;
 }
 
-Posterior Posterior::with(std::shared_ptr<const SyntheticLikelihood> likelihood) const {
+Posterior Posterior::with(std::shared_ptr<const RegressedLikelihood> likelihood) const {
   auto parts = std::make_unique<Parts>(*parts_);
   parts->calibrated = std::move(likelihood);
   parts->informed = informed();

@@ -17,7 +17,7 @@ namespace patina {
 
 class Irregularities;
 class Rng;
-class SyntheticLikelihood;
+class RegressedLikelihood;
 struct Camera;
 
 /// What a posterior is made of, beside the photo.
@@ -79,9 +79,12 @@ class Posterior final : public LogDensity {
   /// Which of its entries are second moments.
   std::vector<bool> moments() const;
 
-  /// The summary of a photo that a camera takes at a position with other irregularities.
-  Eigen::VectorXd simulated_summary(const Position& position, const Irregularities& z, const Camera& camera,
-                                    Rng& rng) const;
+  /// A photo that a camera takes at a position with other irregularities.
+  Image simulated_photo(const Position& position, const Irregularities& z, const Camera& camera,
+                        Rng& rng) const;
+
+  /// The summary of one.
+  Eigen::VectorXd simulated_summary(const Image& photo) const;
 
   /// The coordinates that are no places (Parameter::place): what a photo can tell whatever its
   /// irregularities.
@@ -90,7 +93,7 @@ class Posterior final : public LogDensity {
   /// The same posterior with a likelihood that simulations made, of the informed coordinates, in place of
   /// renders and hand-set errors: it takes microseconds, has no jagged coordinates, and leaves places and
   /// discrete levels their prior.
-  Posterior with(std::shared_ptr<const SyntheticLikelihood> likelihood) const;
+  Posterior with(std::shared_ptr<const RegressedLikelihood> likelihood) const;
 
   /// How far the render at a position is from the photo, part by part of the summary.
   std::vector<BlockMisfit> misfit(const Position& position) const;

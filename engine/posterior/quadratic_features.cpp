@@ -22,17 +22,4 @@ Eigen::MatrixXd QuadraticFeatures::design(const Eigen::MatrixXd& offsets) const 
   return design;
 }
 
-Eigen::MatrixXd QuadraticFeatures::slopes(const Eigen::VectorXd& v) const {
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size(), dimension_);
-  slopes.middleRows(1, dimension_).setIdentity();
-  slopes.middleRows(1 + dimension_, dimension_) = 2 * v.asDiagonal().toDenseMatrix();
-  Eigen::Index k = 1 + 2 * dimension_;
-  for (Eigen::Index i = 0; products_ && i < dimension_; ++i)
-    for (Eigen::Index j = 0; j < i; ++j, ++k) {
-      slopes(k, i) = v[j];
-      slopes(k, j) = v[i];
-    }
-  return slopes;
-}
-
 }  // namespace patina

@@ -13,7 +13,6 @@ class QuadraticFeatures {
   Eigen::Index size() const;
   Eigen::VectorXd values(const Eigen::VectorXd& v) const;
   Eigen::MatrixXd design(const Eigen::MatrixXd& offsets) const;  ///< of the columns, n x size()
-  Eigen::MatrixXd slopes(const Eigen::VectorXd& v) const;        ///< size() x dimension
 
  private:
   Eigen::Index dimension_;

@@ -12,9 +12,9 @@ Region region_around(const Eigen::VectorXd& centre, const Eigen::MatrixXd& covar
                      const Region& found_by) {
   // kReach times as far where the covariance is far below the prior's, and the prior's own where it is that.
   constexpr double kReach = 1.5, kShare = 1 / (kReach * kReach);
-  // Of the old width. With 0.15 a poor first round cuts off where the truth is along a ridge: of 100 photos
-  // of bump 90 % intervals of the light held 76, with 0.5 81.
-  constexpr double kDoubt = 0.5;
+  // Of the old width. Of 24 photos of leather intervals held the truth as often with 0.3 as with 0.7, and
+  // were up to a third narrower.
+  constexpr double kDoubt = 0.3;
   const Eigen::MatrixXd doubted =
       covariance + kDoubt * kDoubt * found_by.factor * found_by.factor.transpose();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(centre.size(), centre.size());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/posterior/least_squares.h"
 #include "engine/posterior/quadratic_features.h"
@@ -59,10 +60,13 @@ Fit fit(const Eigen::VectorXd& target, const Spectrum& spectrum) {
 
 }  // namespace
 
-Scores::Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries)
-    : weights_(places.rows(), summaries.rows()), left_out_(places.rows(), places.cols()) {
-  const Eigen::VectorXd mean = summaries.rowwise().mean(), mean_place = places.rowwise().mean();
-  Eigen::MatrixXd scaled = summaries.colwise() - mean;
+Scores::Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries, Compression compression)
+    : compression_(std::move(compression)),
+      weights_(places.rows(), summaries.rows()),
+      left_out_(places.rows(), places.cols()) {
+  Eigen::MatrixXd scaled = compression_(summaries);
+  const Eigen::VectorXd mean = scaled.rowwise().mean(), mean_place = places.rowwise().mean();
+  scaled.colwise() -= mean;
   const Eigen::VectorXd variances = scaled.rowwise().squaredNorm() / static_cast<double>(scaled.cols());
   // An entry that never changes says nothing.
   const Eigen::VectorXd precisions =
@@ -99,7 +103,7 @@ void Scores::straighten(const Eigen::MatrixXd& places) {
 }
 
 Eigen::MatrixXd Scores::operator()(const Eigen::MatrixXd& summaries) const {
-  return bent_ * design((weights_ * summaries).colwise() + constants_).transpose();
+  return bent_ * design((weights_ * compression_(summaries)).colwise() + constants_).transpose();
 }
 
 }  // namespace patina

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "engine/posterior/compression.h"
+
 namespace patina {
 
 /// What a summary says about where its photo was simulated: the mean of that place given the summary
@@ -12,8 +14,8 @@ namespace patina {
 /// makes them about as straight in the place as they can be.
 class Scores {
  public:
-  /// @param places  targets x n   @param summaries  entries x n
-  Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries);
+  /// @param places  targets x n   @param summaries  entries x n   @param compression  that comes first
+  Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries, Compression compression = {});
 
   Eigen::MatrixXd operator()(const Eigen::MatrixXd& summaries) const;
 
@@ -24,6 +26,7 @@ class Scores {
   Eigen::MatrixXd design(const Eigen::MatrixXd& linear) const;
   void straighten(const Eigen::MatrixXd& places);
 
+  Compression compression_;
   Eigen::MatrixXd weights_;  ///< targets x entries, of the linear step
   Eigen::VectorXd constants_;
   Eigen::VectorXd centres_, scales_;  ///< of the linear scores

@@ -24,7 +24,8 @@ SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int p
   const auto informed = posterior.informed();
   const Eigen::Index entries = posterior.photo_summary().size();
   SimulatedPhotos simulated{region, Eigen::MatrixXd(std::ssize(informed), photos),
-                            Eigen::MatrixXd(entries, photos)};
+                            Eigen::MatrixXd(entries, photos),
+                            Eigen::MatrixXd(simulator.guess ? std::ssize(informed) : 0, photos)};
   const auto one = [&](std::size_t i) {
     const auto column = static_cast<Eigen::Index>(i);
     const std::uint64_t which = stream * 1'000'000 + i;
@@ -33,7 +34,9 @@ SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int p
     Position position{rng.normals(posterior.dimension()), levels_of(posterior, *z)};
     simulated.offsets.col(column) = position.continuous(informed);
     position.continuous(informed) = region.place(simulated.offsets.col(column));
-    simulated.summaries.col(column) = posterior.simulated_summary(position, *z, simulator.camera, rng);
+    const Image photo = posterior.simulated_photo(position, *z, simulator.camera, rng);
+    simulated.summaries.col(column) = posterior.simulated_summary(photo);
+    if (simulator.guess) simulated.guesses.col(column) = simulator.guess.centre(photo);
     if (simulator.simulated) simulator.simulated();
   };
   const auto count = static_cast<std::size_t>(photos);

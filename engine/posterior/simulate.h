@@ -5,12 +5,20 @@
 #include <cstdint>
 #include <functional>
 
+#include "engine/image.h"
 #include "engine/posterior/camera.h"
 #include "engine/posterior/irregularity_pool.h"
 #include "engine/posterior/posterior.h"
 #include "engine/posterior/region.h"
 
 namespace patina {
+
+/// Tells from a photo alone about where its posterior is, among the informed coordinates. May be empty.
+struct Guess {
+  std::function<Eigen::VectorXd(const Image&)> centre;
+  std::function<Region(const Image&)> region;
+  explicit operator bool() const { return centre != nullptr; }
+};
 
 /// How photos are simulated, and by whom.
 struct Simulator {
@@ -21,6 +29,7 @@ struct Simulator {
   int threads = 1;                       ///< photos at a time, 1: the caller's; they are the same
   std::function<void()> enter_thread{};  ///< called first on each of those threads
   std::function<void()> simulated{};     ///< called after each photo, from any of them; may throw
+  Guess guess{};
   /// Times the posterior's hand-set errors that photos are off by beside all else, as real ones are.
   double discrepancy = 0;
 };
@@ -31,6 +40,7 @@ struct SimulatedPhotos {
   Region region;
   Eigen::MatrixXd offsets;    ///< v, N(0, I): informed coordinates x n, see Region
   Eigen::MatrixXd summaries;  ///< entries x n
+  Eigen::MatrixXd guesses;    ///< by Guess::centre, informed coordinates x n; none without it
 };
 
 /// @param stream  another one for other photos; the same gives the same ones, whatever their discrepancy

@@ -1,11 +1,12 @@
 #include "engine/run/calibrated_errors.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "engine/posterior/calibrate.h"
+#include "engine/run/predicted_start.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/archive.h"
 
@@ -15,34 +16,33 @@ namespace {
 // Seeds of irregularities: none is one that a user would choose for the run's own.
 constexpr std::uint64_t kSimulated = 1'000'000'000;
 
-/// Says how far the simulations are, as if two rounds were to be made, which is usual.
+/// Says how many photos have been simulated; how many it takes depends on what they show.
 class Progress {
  public:
-  Progress(const CalibrationSettings& settings, RunShared& shared)
-      : expected_(settings.pilot + settings.first + settings.later), shared_(shared) {}
+  explicit Progress(RunShared& shared) : shared_(shared) {}
 
   void operator()() {
     shared_.control.checkpoint();
-    const int percent = std::min(99, 100 * ++made_ / expected_);
-    if (percent == said_.exchange(percent)) return;
+    const int made = ++made_;
+    if (made % kPhotosAMessage != 0) return;
     shared_.edit_status([&](RunStatus& status) {
-      status.message =
-          "learning from simulated photos what irregularities do: " + std::to_string(percent) + " %";
+      status.message = "learning from simulated photos what irregularities do: " + std::to_string(made) +
+                       " so far, a few hundred are usual";
     });
   }
 
  private:
-  int expected_;
+  static constexpr int kPhotosAMessage = 10;
   RunShared& shared_;
-  std::atomic<int> made_{0}, said_{-1};
+  std::atomic<int> made_{0};
 };
 
 }  // namespace
 
 void serialise(Archive& archive, CalibratedErrors& errors) {
-  SyntheticLikelihood likelihood = errors.likelihood ? *errors.likelihood : SyntheticLikelihood();
+  RegressedLikelihood likelihood = errors.likelihood ? *errors.likelihood : RegressedLikelihood();
   archive(likelihood, errors.fit.distance, errors.fit.p, errors.fit.widening, errors.fit.discrepancy);
-  errors.likelihood = std::make_shared<const SyntheticLikelihood>(std::move(likelihood));
+  errors.likelihood = std::make_shared<const RegressedLikelihood>(std::move(likelihood));
 }
 
 bool fits(const CalibratedErrors& errors, const Posterior& posterior) {
@@ -52,8 +52,8 @@ bool fits(const CalibratedErrors& errors, const Posterior& posterior) {
          std::isfinite(fit.widening) && (fit.discrepancy == 0 || fit.discrepancy == 1);
 }
 
-CalibratedMode learn_errors(const Posterior& posterior, std::uint64_t seed,
-                            const std::function<void()>& simulated) {
+CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, const Capture& capture,
+                            std::uint64_t seed, const std::function<void()>& simulated) {
   const CalibrationSettings amount;
   const auto pool = make_pool(posterior.table(), kSimulated);
   const Simulator simulator{.posterior = posterior,
@@ -62,9 +62,12 @@ CalibratedMode learn_errors(const Posterior& posterior, std::uint64_t seed,
                             .seed = seed,
                             .threads = hardware_threads(),
                             .enter_thread = [] { use_tensor_threads(1); },
-                            .simulated = simulated};
-  Calibration found = calibrate(simulator, Pilot(simulator, amount.pilot), amount);
-  CalibratedErrors errors{std::make_shared<const SyntheticLikelihood>(std::move(found.likelihood)),
+                            .simulated = simulated,
+                            .guess = region_guess(posterior, capture)};
+  std::optional<Pilot> pilot;
+  const auto made = [&]() -> const Pilot& { return pilot ? *pilot : pilot.emplace(simulator, amount.pilot); };
+  Calibration found = calibrate(simulator, photo, made, amount);
+  CalibratedErrors errors{std::make_shared<const RegressedLikelihood>(std::move(found.likelihood)),
                           found.fit};
   const Posterior calibrated = posterior.with(errors.likelihood);
   const Eigen::Index levels = std::ssize(posterior.discrete_levels());
@@ -73,9 +76,10 @@ CalibratedMode learn_errors(const Posterior& posterior, std::uint64_t seed,
       std::move(errors), {mode, calibrated.evaluate(mode)}, std::make_shared<const Metric>(found.covariance)};
 }
 
-CalibratedMode calibrate_errors(const Posterior& posterior, const RunSettings& settings, RunShared& shared) {
-  Progress progress({}, shared);
-  return learn_errors(posterior, settings.seed, [&] { progress(); });
+CalibratedMode calibrate_errors(const Posterior& posterior, const Image& photo, const RunSettings& settings,
+                                RunShared& shared) {
+  Progress progress(shared);
+  return learn_errors(posterior, photo, settings.capture, settings.seed, [&] { progress(); });
 }
 
 }  // namespace patina

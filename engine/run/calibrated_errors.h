@@ -14,11 +14,11 @@
 namespace patina {
 
 class Archive;
-class SyntheticLikelihood;
+class RegressedLikelihood;
 
 /// A likelihood that a run has learnt from simulated photos, and how its photo compares with them.
 struct CalibratedErrors {
-  std::shared_ptr<const SyntheticLikelihood> likelihood;
+  std::shared_ptr<const RegressedLikelihood> likelihood;
   PhotoFit fit;
 };
 
@@ -38,11 +38,12 @@ struct CalibratedMode {
 /// On all processors.
 /// @param seed       of what is simulated   @param simulated  called after each photo, from any thread; what
 ///                   it throws ends the simulations
-CalibratedMode learn_errors(const Posterior& posterior, std::uint64_t seed,
-                            const std::function<void()>& simulated);
+CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, const Capture& capture,
+                            std::uint64_t seed, const std::function<void()>& simulated);
 
 /// learn_errors() of a run, whose status it keeps up to date.
 /// @throws RunStopped
-CalibratedMode calibrate_errors(const Posterior& posterior, const RunSettings& settings, RunShared& shared);
+CalibratedMode calibrate_errors(const Posterior& posterior, const Image& photo, const RunSettings& settings,
+                                RunShared& shared);
 
 }  // namespace patina

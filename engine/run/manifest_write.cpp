@@ -31,7 +31,7 @@ Json settings_json(const RunSettings& s) {
           {"warmup", s.warmup},
           {"draws", s.draws},
           {"alpha", s.alpha},
-          {"refresh", s.refresh},
+          {"refresh", s.refresh.value()},
           {"path_length", s.path_length},
           {"temper", s.temper},
           {"start", s.start},

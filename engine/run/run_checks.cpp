@@ -52,7 +52,7 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
   check_capture(settings.capture);
   if (!(settings.alpha > 0 && settings.alpha <= 1))
     throw UserError("The share of continuous moves (alpha) must be above 0 and at most 1.");
-  if (!(settings.refresh >= 0 && settings.refresh < 1))
+  if (settings.refresh && !(*settings.refresh >= 0 && *settings.refresh < 1))
     throw UserError("The share of refresh moves must be at least 0 and below 1.");
   if (!(settings.stop.minutes >= 0 && settings.stop.ess >= 0))
     throw UserError("The minutes and the effective draws to stop at must be at least 0.");

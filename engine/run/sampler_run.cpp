@@ -88,6 +88,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   posteriors_.push_back(std::make_unique<Posterior>(
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
+  if (!settings_.refresh) settings_.refresh = usual_refresh(has_jagged());
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
@@ -104,6 +105,10 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
     status.chains.resize(static_cast<std::size_t>(settings_.chains));
   });
   coordinator_ = std::thread([this] { coordinate(); });
+}
+
+bool SamplerRun::has_jagged() const {
+  return !is_calibrated() && std::ranges::count(posteriors_.front()->jagged(), true) > 0;
 }
 
 void SamplerRun::begin() {
@@ -244,7 +249,7 @@ ModeFound SamplerRun::calibrate() {
   keep_the_finest();
   // There is something to see while photos are simulated.
   if (const auto guessed = guesses(); !guessed.empty()) show(guessed.front());
-  CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), settings_, shared_);
+  CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), photo_, settings_, shared_);
   use(calibrated.errors);
   show(calibrated.mode.position);
   return {std::move(calibrated.mode), std::move(calibrated.laplace), {}, std::move(calibrated.errors)};
@@ -268,7 +273,7 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, settings_.refresh,
+  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, *settings_.refresh,
                                   settings_.discrete, settings_.path_length);
   const ChainPlan plan{.settings = settings_,
                        .table = table_,

@@ -74,4 +74,8 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
                                     double refresh = 0, const std::string& discrete = "joint",
                                     double path_length = 1.5);
 
+/// The share of refresh moves of one who asks for none: many where nothing else moves jagged coordinates, few
+/// where gradients move all (resources/charts).
+double usual_refresh(bool has_jagged);
+
 }  // namespace patina

@@ -80,4 +80,6 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
   return make_mixture(std::move(continuous), std::move(levels), alpha);
 }
 
+double usual_refresh(bool has_jagged) { return has_jagged ? 0.75 : 0.25; }
+
 }  // namespace patina

@@ -18,7 +18,7 @@ StudySettings small_study() {
   study.posterior.summary = "rings";
   study.posterior.resolution = 32;
   study.calibrated = true;
-  study.simulations = {.pilot = 300, .first = 100, .later = 150, .most_rounds = 3};
+  study.simulations = {.pilot = 300, .round = 120, .most_rounds = 3};
   study.warmup = 150;
   study.draws = 200;
   return study;

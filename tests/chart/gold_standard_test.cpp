@@ -14,7 +14,7 @@ namespace patina {
 namespace {
 
 GoldPlan small_plan(int draws = 12000) {
-  GoldPlan plan{gold_settings(), {.seed = 100, .draws = draws}};
+  GoldPlan plan{gold_settings(default_setting()), {.seed = 100, .draws = draws}};
   for (ChartSetting& setting : plan.settings) setting.warmup = 300;
   return plan;
 }

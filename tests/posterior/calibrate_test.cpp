@@ -10,7 +10,7 @@ namespace patina {
 namespace {
 
 constexpr int kResolution = 32;
-constexpr CalibrationSettings kFew{.pilot = 200, .first = 100, .later = 120, .most_rounds = 2};
+constexpr CalibrationSettings kFew{.pilot = 200, .round = 120, .most_rounds = 2};
 
 /// Of cheap renders.
 Posterior small_posterior(const std::string& material, const Image& photo) {
@@ -33,11 +33,13 @@ Image photo_of_prior_location(const std::string& material) {
 Calibration calibration_of(const Posterior& posterior, int threads = 1) {
   const auto pool = make_pool(posterior.table(), 100);
   const Simulator simulator{.posterior = posterior, .pool = *pool, .camera = {}, .threads = threads};
-  return calibrate(simulator, Pilot(simulator, kFew.pilot), kFew);
+  const Pilot pilot(simulator, kFew.pilot);
+  return calibrate(
+      simulator, {}, [&]() -> const Pilot& { return pilot; }, kFew);
 }
 
 Posterior calibrated(const Posterior& posterior) {
-  return posterior.with(std::make_shared<const SyntheticLikelihood>(calibration_of(posterior).likelihood));
+  return posterior.with(std::make_shared<const RegressedLikelihood>(calibration_of(posterior).likelihood));
 }
 
 TEST(Calibrate, LeavesPlacesAndLevelsTheirPrior) {

@@ -12,11 +12,10 @@ inline Eigen::MatrixXd normals(Rng& rng, Eigen::Index rows, Eigen::Index columns
   return rng.normals(rows * columns).reshaped(rows, columns);
 }
 
-/// A simulator of which all is known: s = J u + bend u_0^2 + F e, e ~ N(0, I), u of two coordinates.
+/// A simulator of which all is known: s = J u + F e, e ~ N(0, I), u of two coordinates.
 struct ToySimulator {
   static constexpr Eigen::Index kEntries = 8, kCoordinates = 2;
   Eigen::MatrixXd slopes, factor;
-  Eigen::VectorXd bend = Eigen::VectorXd::Zero(kEntries);
 
   static ToySimulator correlated(Rng& rng) {
     return {normals(rng, kEntries, kCoordinates), normals(rng, kEntries, kEntries)};
@@ -27,7 +26,7 @@ struct ToySimulator {
   }
 
   Eigen::VectorXd photo(const Eigen::VectorXd& u, Rng& rng) const {
-    return slopes * u + bend * u[0] * u[0] + factor * rng.normals(kEntries);
+    return slopes * u + factor * rng.normals(kEntries);
   }
   /// Of every column.
   Eigen::MatrixXd photos(const Eigen::MatrixXd& places, Rng& rng) const {

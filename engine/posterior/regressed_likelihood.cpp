@@ -1,0 +1,95 @@
+#include "engine/posterior/regressed_likelihood.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cassert>
+#include <cmath>
+
+#include "engine/posterior/least_squares.h"
+#include "engine/posterior/log_variances.h"
+#include "engine/sampling/archive.h"
+
+namespace patina {
+namespace {
+
+double trusted_radius(Eigen::Index dimension) { return std::sqrt(static_cast<double>(dimension)) + 3; }
+
+/// Of residuals that are independent of one another, at a mean: variances by fit_log_variance(), correlations
+/// alike everywhere.
+Eigen::MatrixXd covariance_at(const Eigen::VectorXd& mean, const Eigen::MatrixXd& residuals,
+                              const Eigen::MatrixXd& means) {
+  Eigen::MatrixXd scaled = residuals;
+  Eigen::VectorXd sds(residuals.rows());
+  for (Eigen::Index i = 0; i < residuals.rows(); ++i) {
+    const Eigen::VectorXd fit = fit_log_variance(residuals.row(i), means);
+    const Eigen::RowVectorXd slopes = fit.tail(means.rows()).transpose();
+    sds[i] = std::exp(0.5 * (fit[0] + slopes.dot(mean)));
+    scaled.row(i).array() *= (-0.5 * (fit[0] + (slopes * means).array())).exp();
+  }
+  const Eigen::MatrixXd correlations = scaled * scaled.transpose() / static_cast<double>(scaled.cols());
+  return sds.asDiagonal() * correlations * sds.asDiagonal();
+}
+
+Eigen::MatrixXd with_constant(const Eigen::MatrixXd& scores) {
+  Eigen::MatrixXd design(scores.cols(), 1 + scores.rows());
+  design << Eigen::VectorXd::Ones(scores.cols()), scores.transpose();
+  return design;
+}
+
+}  // namespace
+
+Eigen::Index RegressedLikelihood::least_photos(Eigen::Index scores) { return 3 * (1 + scores); }
+
+RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets,
+                                         const Eigen::MatrixXd& scores, const Eigen::VectorXd& observed)
+    : region_(region) {
+  assert(offsets.cols() >= least_photos(scores.rows()));
+  const Eigen::MatrixXd design = with_constant(scores);
+  const LeastSquares regression(design, offsets);
+  const Eigen::VectorXd features = with_constant(observed).transpose();
+  const Eigen::VectorXd mean = regression.coefficients * features;
+  // Residuals of photos that were left out have what is unknown of the mean in them, for a usual photo.
+  const double leverage = regression.leverage_of(features), usual = regression.leverages.mean();
+  const Eigen::MatrixXd covariance =
+      (1 + leverage) / (1 + usual) *
+      covariance_at(mean, regression.left_out(), regression.coefficients * design.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  // No direction is known to the last digit, or less well than before the photo.
+  const Eigen::VectorXd variances = solver.eigenvalues().cwiseMax(1e-8).cwiseMin(1.0);
+  const Eigen::MatrixXd& axes = solver.eigenvectors();
+  precision_ = axes * (variances.cwiseInverse().array() - 1).matrix().asDiagonal() * axes.transpose();
+  pull_ = axes * variances.cwiseInverse().asDiagonal() * axes.transpose() * mean;
+}
+
+RegressedLikelihood RegressedLikelihood::widened(double times) const {
+  RegressedLikelihood wider = *this;
+  wider.precision_ /= times;
+  wider.pull_ /= times;
+  return wider;
+}
+
+Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) const {
+  const Eigen::VectorXd v = region_.offset(coordinates);
+  const double radius = trusted_radius(v.size()), distance = v.norm();
+  double misfit = v.dot(0.5 * precision_ * v - pull_);
+  Eigen::VectorXd slope = precision_ * v - pull_;
+  if (distance > radius) {
+    misfit += 0.5 * (distance - radius) * (distance - radius);
+    slope += (distance - radius) / distance * v;
+  }
+  return {-misfit, -region_.factor.triangularView<Eigen::Lower>().transpose().solve(slope)};
+}
+
+bool RegressedLikelihood::is_of(Eigen::Index coordinates) const {
+  const bool sized = region_.centre.size() == coordinates && region_.factor.rows() == coordinates &&
+                     region_.factor.cols() == coordinates && precision_.rows() == coordinates &&
+                     precision_.cols() == coordinates && pull_.size() == coordinates;
+  return sized && region_.centre.allFinite() && region_.factor.allFinite() &&
+         (region_.factor.diagonal().array() > 0).all() && precision_.allFinite() && pull_.allFinite();
+}
+
+void RegressedLikelihood::serialise(Archive& archive) {
+  archive(region_.centre, region_.factor, precision_, pull_);
+}
+
+}  // namespace patina

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/posterior/region.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+class Archive;
+
+/// The likelihood of a photo that photos simulated in a region make by what their scores say of their places
+/// (regression adjustment: Beaumont et al. 2002, Fearnhead & Prangle 2012). Places v ~ N(0, I) of the region
+/// are regressed on scores:
+///   v | scores ~ N(m, S): m linear in the scores; S the covariance of the residuals, each as it would be,
+///   had the other photos alone been regressed, with variances that change with m, exponentially, and with
+///   what is unknown of m.
+/// The likelihood is N(m, S) over N(0, I), exp(-v^T P v / 2 + b^T v), P = S^-1 - I, b = S^-1 m: the posterior
+/// under any prior follows. Irregularities are averaged over, so that they count once, the photo's; jagged
+/// coordinates are smooth; and what scores do not tell cannot seem known, for S is judged by photos that the
+/// regression has not seen.
+/// The scores must have been chosen by other photos: of far more entries than photos some seem to know the
+/// coordinates by chance, in the photos that they were chosen by.
+/// It is to be trusted where there were simulations: beyond sqrt(m) + 3 of their standard deviations it falls
+/// as a normal density does, so that no far-away point looks good for what was never simulated.
+class RegressedLikelihood {
+ public:
+  RegressedLikelihood() = default;
+
+  /// @param offsets   v of the simulated photos, coordinates x n   @param scores  theirs, scores x n
+  /// @param observed  scores of the photo
+  RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets, const Eigen::MatrixXd& scores,
+                      const Eigen::VectorXd& observed);
+
+  /// The least photos that it can be made of.
+  static Eigen::Index least_photos(Eigen::Index scores);
+
+  /// The same with errors of so many times the variance.
+  RegressedLikelihood widened(double times) const;
+
+  /// Log likelihood and its gradient.
+  Evaluation evaluate(const Eigen::VectorXd& coordinates) const;
+
+  /// Whether what was read from an archive is a likelihood of so many coordinates.
+  bool is_of(Eigen::Index coordinates) const;
+
+  void serialise(Archive& archive);
+
+ private:
+  Region region_;
+  Eigen::MatrixXd precision_;  ///< P
+  Eigen::VectorXd pull_;       ///< b
+};
+
+}  // namespace patina
