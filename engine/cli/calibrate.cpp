@@ -200,8 +200,10 @@ void add_calibrate(CLI::App& app, Command& chosen) {
                   "What renders and photo are compared by (default: the material's)")
       ->type_name("NAME");
   command
-      .add_option("--pilot", options->study.simulations.pilot,
-                  "Photos of the prior that calibrated errors begin with, for all photos of a material")
+      .add_option(
+          "--pilot", options->study.simulations.pilot,
+          "Photos of the prior that calibrated errors begin with where a material has no predictor, or "
+          "a photo is like none that it makes")
       ->capture_default_str();
   command
       .add_option("--error-scale", options->study.error_scale,

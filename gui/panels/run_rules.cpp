@@ -47,9 +47,12 @@ bool edit_errors(std::string& errors) {
       "are as wide as such matches usually need");
   offer(
       "calibrated", "Learnt from simulated photos",
-      "Some 1500 photos are simulated in place of a search: they tell how much the material's irregularities "
-      "matter. A minute later ten thousand draws come at once. An experiment: intervals of 90 % still hold "
-      "the truth in fewer than nine cases of ten");
+      "Photos are simulated in place of a search, a few hundred or, for a photo that the material cannot "
+      "quite "
+      "make, some 1500: they tell how much its irregularities matter. Then ten thousand draws come at once. "
+      "Of "
+      "simulated photos intervals of 90 % hold the truth in about nine cases of ten; real photos are another "
+      "matter, and renders look less like them");
   return errors != before;
 }
 

@@ -99,6 +99,23 @@ TEST_F(SamplerRunTest, WithoutASummaryTheMaterialsOwnIsUsedAndWrittenDown) {
   EXPECT_EQ(read_manifest(directory()).settings.summary, material_table("bump").summary);
 }
 
+TEST_F(SamplerRunTest, WithoutAShareOfRefreshMovesJaggedCoordinatesDecideAndItIsWrittenDown) {
+  const auto share_of = [&](const std::string& material) {
+    RunSettings asked = settings();
+    asked.material = material;
+    const auto folder = folder_ / material;
+    start_run(asked, photo(), folder)->stop();
+    return read_manifest(folder).settings.refresh;
+  };
+  const auto of_smooth = share_of("bump"), of_jagged = share_of("leather");
+  ASSERT_TRUE(of_smooth && of_jagged);
+  EXPECT_LT(*of_smooth, *of_jagged);
+  RunSettings told = settings();
+  told.refresh = 0.4;
+  start_run(told, photo(), directory())->stop();
+  EXPECT_EQ(read_manifest(directory()).settings.refresh, 0.4);
+}
+
 TEST_F(SamplerRunTest, MapOnlyFindsAMatchAndDrawsNothing) {
   RunSettings map_only = settings();
   map_only.map_only = true;
