@@ -68,6 +68,7 @@ TEST_F(CostChartTest, FindsTheWayOfARunWhateverItsLengthAndResolution) {
   run.draws = 17;
   run.warmup = 3;
   run.resolution = 512;
+  run.refresh = default_setting().refresh;
   EXPECT_EQ(find_cost(chart, run), 0u);
   run.kernel = "nuts";
   EXPECT_EQ(find_cost(chart, run), 1u);

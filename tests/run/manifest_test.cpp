@@ -25,6 +25,7 @@ class ManifestTest : public FolderTest {
     m.settings.errors = "calibrated";
     m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
+    m.settings.refresh = 0.3;
     m.settings.seed = std::numeric_limits<std::uint64_t>::max();
     m.settings.fixed = {{"light", 0.1 + 0.2}};
     m.settings.priors = {{"rough", {0.4, 0.1, 0.2, 0.6}}};
