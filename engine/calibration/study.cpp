@@ -23,7 +23,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Seeds of irregularities: no photo's are another photo's, a run's or among those simulated with.
-constexpr std::uint64_t kSimulated = 1'000'000'000, kPhotos = 2'000'000'000, kRuns = 3'000'000'000;
+constexpr std::uint64_t kPhotos = 2 * kSimulatedSeeds, kRuns = 3 * kSimulatedSeeds;
 constexpr std::uint64_t kSeedsAStudy = 100'000;
 
 /// A photo, and what is known of it.
@@ -45,18 +45,19 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Image blank(int side) { return Image(side, side, 3); }
+Posterior blank(const PosteriorSettings& settings) {
+  return {settings, Image(settings.resolution, settings.resolution, 3)};
+}
 
 /// Of all that is drawn for a photo; photo 0 is the pilot.
 std::uint64_t seed_of(const StudySettings& study, int photo) {
   return study.seed * kSeedsAStudy + static_cast<std::uint64_t>(photo);
 }
 
-Case make_case(const StudySettings& study, int photo, Rng& rng) {
+Case make_case(const StudySettings& study, const Posterior& any, int photo, Rng& rng) {
   const std::uint64_t offset = seed_of(study, photo);
   PosteriorSettings settings = study.posterior;
   settings.z_seed = kRuns + offset;
-  const Posterior any(settings, blank(settings.resolution));
   const Position truth = prior_draw(any, rng);
   const Renderer renderer(settings.material, kPhotos + offset, settings.capture);
   const Camera& camera = study.camera;
@@ -141,18 +142,21 @@ void judge(const Sample& sample, const Case& example, const Posterior& posterior
 
 CalibrationStudy::CalibrationStudy(const StudySettings& settings, int threads,
                                    std::function<void()> enter_thread)
-    : settings_(settings), threads_(threads), enter_thread_(std::move(enter_thread)) {
-  const Posterior posterior(settings.posterior, blank(settings.posterior.resolution));
+    : settings_(settings),
+      blank_(blank(settings.posterior)),
+      threads_(threads),
+      enter_thread_(std::move(enter_thread)) {
   quantities_.emplace_back("lp");
-  for (const Parameter& parameter : posterior.table().continuous)
+  for (const Parameter& parameter : blank_.table().continuous)
     if (!settings.posterior.fixed.contains(parameter.name)) quantities_.push_back(parameter.name);
-  if (settings.calibrated) pool_ = make_pool(posterior.table(), kSimulated);
+  if (!settings.calibrated) return;
+  guess_ = region_guess(blank_, settings.posterior.capture);
+  pool_ = make_pool(blank_.table(), kSimulatedSeeds);
 }
 
 const Pilot& CalibrationStudy::pilot() const {
   std::call_once(pilot_made_, [&] {
-    const Posterior posterior(settings_.posterior, blank(settings_.posterior.resolution));
-    const Simulator simulator{.posterior = posterior,
+    const Simulator simulator{.posterior = blank_,
                               .pool = *pool_,
                               .camera = settings_.camera,
                               .seed = seed_of(settings_, 0),
@@ -170,14 +174,14 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
   PhotoOutcome outcome;
   outcome.photo = photo;
   outcome.distance = kNaN;
-  Case example = make_case(settings_, photo, rng);
+  Case example = make_case(settings_, blank_, photo, rng);
   const auto target_of = [&] {
     if (!settings_.calibrated) return hand_set(std::move(example.posterior), rng);
     const Simulator simulator{.posterior = example.posterior,
                               .pool = *pool_,
                               .camera = settings_.camera,
                               .seed = seed,
-                              .guess = region_guess(example.posterior, settings_.posterior.capture)};
+                              .guess = guess_};
     const Calibration found = calibrate(
         simulator, example.photo, [&]() -> const Pilot& { return pilot(); }, settings_.simulations);
     return calibrated(found, example.posterior, settings_, outcome);

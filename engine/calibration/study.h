@@ -62,6 +62,8 @@ class CalibrationStudy {
   const Pilot& pilot() const;
 
   StudySettings settings_;
+  Posterior blank_;  ///< of no photo: the same prior and coordinates as every photo's
+  Guess guess_;      ///< of calibrated errors
   int threads_;
   std::function<void()> enter_thread_;
   std::shared_ptr<IrregularityPool> pool_;  ///< of calibrated errors

@@ -31,6 +31,9 @@ class IrregularityPool {
   std::vector<std::shared_ptr<const Irregularities>> kept_;
 };
 
+/// The first seed of irregularities to simulate with: none is one that a user would choose for a run's own.
+constexpr std::uint64_t kSimulatedSeeds = 1'000'000'000;
+
 /// For a material that has places few, dealt anew by where their maps are looked at; else as many as are
 /// asked for.
 std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed);

@@ -38,12 +38,10 @@ Eigen::MatrixXd with_constant(const Eigen::MatrixXd& scores) {
 
 }  // namespace
 
-Eigen::Index RegressedLikelihood::least_photos(Eigen::Index scores) { return 3 * (1 + scores); }
-
 RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets,
                                          const Eigen::MatrixXd& scores, const Eigen::VectorXd& observed)
     : region_(region) {
-  assert(offsets.cols() >= least_photos(scores.rows()));
+  assert(offsets.cols() >= 3 * (1 + scores.rows()));
   const Eigen::MatrixXd design = with_constant(scores);
   const LeastSquares regression(design, offsets);
   const Eigen::VectorXd features = with_constant(observed).transpose();

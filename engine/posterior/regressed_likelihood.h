@@ -32,9 +32,6 @@ class RegressedLikelihood {
   RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets, const Eigen::MatrixXd& scores,
                       const Eigen::VectorXd& observed);
 
-  /// The least photos that it can be made of.
-  static Eigen::Index least_photos(Eigen::Index scores);
-
   /// The same with errors of so many times the variance.
   RegressedLikelihood widened(double times) const;
 

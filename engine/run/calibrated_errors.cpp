@@ -13,9 +13,6 @@
 namespace patina {
 namespace {
 
-// Seeds of irregularities: none is one that a user would choose for the run's own.
-constexpr std::uint64_t kSimulated = 1'000'000'000;
-
 /// Says how many photos have been simulated; how many it takes depends on what they show.
 class Progress {
  public:
@@ -55,7 +52,7 @@ bool fits(const CalibratedErrors& errors, const Posterior& posterior) {
 CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, const Capture& capture,
                             std::uint64_t seed, const std::function<void()>& simulated) {
   const CalibrationSettings amount;
-  const auto pool = make_pool(posterior.table(), kSimulated);
+  const auto pool = make_pool(posterior.table(), kSimulatedSeeds);
   const Simulator simulator{.posterior = posterior,
                             .pool = *pool,
                             .camera = {},

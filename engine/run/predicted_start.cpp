@@ -20,6 +20,21 @@ bool has_predictor(const std::string& material) {
   return std::filesystem::is_regular_file(bundled_predictor(material), ignored);
 }
 
+Predictor load_predictor(const std::string& material) {
+  return Predictor::load(bundled_predictor(material), material_table(material));
+}
+
+/// Null where there is none, or none of the material as it is now: who has given it another parameter can fit
+/// it all the same.
+std::shared_ptr<const Predictor> usable_predictor(const std::string& material) {
+  if (!has_predictor(material)) return nullptr;
+  try {
+    return std::make_shared<const Predictor>(load_predictor(material));
+  } catch (const UserError&) {
+    return nullptr;
+  }
+}
+
 Eigen::VectorXd informed_place(const Posterior& posterior, const ParameterValues& values) {
   return posterior.position(values).continuous(posterior.informed());
 }
@@ -41,39 +56,29 @@ Prediction prediction_for(const std::string& material, const Image& photo, const
   if (!has_predictor(material))
     throw UserError("The material '" + material +
                     "' has no predictor: choose another --start, or train one (resources/predictors).");
-  return Predictor::load(bundled_predictor(material), material_table(material)).predict(photo, capture);
+  return load_predictor(material).predict(photo, capture);
 }
 
 Guess region_guess(const Posterior& posterior, const Capture& capture) {
-  const std::string& material = posterior.table().material;
-  if (!has_predictor(material)) return {};
-  try {
-    const auto predictor = std::make_shared<const Predictor>(
-        Predictor::load(bundled_predictor(material), material_table(material)));
-    return {[=, &posterior](const Image& photo) {
-              return informed_place(posterior, predictor->predict(photo, capture).likeliest());
-            },
-            [=, &posterior](const Image& photo) {
-              return region_of(predictor->predict(photo, capture), posterior);
-            }};
-  } catch (const UserError&) {
-    return {};  // see predicted_guesses()
-  }
+  const auto predictor = usable_predictor(posterior.table().material);
+  if (!predictor) return {};
+  return {[=, &posterior](const Image& photo) {
+            return informed_place(posterior, predictor->predict(photo, capture).likeliest());
+          },
+          [=, &posterior](const Image& photo) {
+            return region_of(predictor->predict(photo, capture), posterior);
+          }};
 }
 
 std::vector<Position> predicted_guesses(const Posterior& posterior, const Image& photo,
                                         const Capture& capture, std::uint64_t seed) {
-  const std::string& material = posterior.table().material;
-  if (!has_predictor(material)) return {};
-  try {
-    const Prediction prediction = prediction_for(material, photo, capture);
-    std::vector<Position> guesses{posterior.position(prediction.likeliest())};
-    Rng rng(seed, kStream);
-    for (int i = 0; i < kDraws; ++i) guesses.push_back(posterior.position(prediction.draw(rng)));
-    return guesses;
-  } catch (const UserError&) {
-    return {};  // who has given a material another parameter can fit it all the same
-  }
+  const auto predictor = usable_predictor(posterior.table().material);
+  if (!predictor) return {};
+  const Prediction prediction = predictor->predict(photo, capture);
+  std::vector<Position> guesses{posterior.position(prediction.likeliest())};
+  Rng rng(seed, kStream);
+  for (int i = 0; i < kDraws; ++i) guesses.push_back(posterior.position(prediction.draw(rng)));
+  return guesses;
 }
 
 }  // namespace patina
