@@ -67,18 +67,24 @@ bool out_of_reach(const PhotoFit& fit) {
   return fit.distance > kFurthest;
 }
 
+/// Six for each coefficient of the regressions, on a constant and two scores a coordinate. With 150 in place
+/// of 282 photos for wood's 23 coordinates 90 % intervals held 83 % of 50 photos' truths, and 90 % with them.
+int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates) {
+  return std::max(settings.round, 6 * (1 + 2 * static_cast<int>(coordinates)));
+}
+
 Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
                       const CalibrationSettings& settings) {
   const Posterior& posterior = simulator.posterior;
   const auto informed = posterior.informed();
   const Eigen::VectorXd photo = posterior.photo_summary();
+  const int photos = photos_a_round(settings, std::ssize(informed));
   std::optional<Scores> taught;
   Region region = first.region;
   Calibration result;
   for (int round = 1;; ++round) {
-    const SimulatedPhotos simulated =
-        simulate(simulator, region, settings.round, static_cast<std::uint64_t>(round));
-    result.photos += settings.round;
+    const SimulatedPhotos simulated = simulate(simulator, region, photos, static_cast<std::uint64_t>(round));
+    result.photos += photos;
     const Eigen::VectorXd seen = taught ? Eigen::VectorXd(stacked(first.seen, (*taught)(photo))) : first.seen;
     result.likelihood =
         RegressedLikelihood(region, simulated.offsets, scores_of(simulated, first, taught), seen);

@@ -15,7 +15,7 @@ namespace patina {
 /// How much is simulated to learn a likelihood.
 struct CalibrationSettings {
   int pilot = 1000;  ///< photos of the prior, of use to all photos of a material
-  int round = 150;   ///< photos of each round
+  int round = 150;   ///< photos of each round at least; see photos_a_round()
   int most_rounds = 4;
 };
 

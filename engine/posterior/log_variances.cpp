@@ -8,13 +8,14 @@
 namespace patina {
 
 Eigen::VectorXd fit_log_variance(const Eigen::VectorXd& errors, const Eigen::MatrixXd& inputs) {
-  constexpr double kPriorSd = 0.4, kLongestStep = 1;
+  constexpr double kPriorSd = 0.7, kLongestStep = 1;  // of the slope along all inputs together
   constexpr int kSteps = 12;
   const Eigen::Index n = inputs.cols(), size = inputs.rows() + 1;
   Eigen::MatrixXd design(n, size);
   design << Eigen::VectorXd::Ones(n), inputs.transpose();
   const Eigen::VectorXd squares = errors.cwiseAbs2();
-  Eigen::VectorXd precisions = Eigen::VectorXd::Constant(size, 1 / (kPriorSd * kPriorSd));
+  Eigen::VectorXd precisions =
+      Eigen::VectorXd::Constant(size, static_cast<double>(inputs.rows()) / (kPriorSd * kPriorSd));
   precisions[0] = 0;
   // Fisher scoring (McCullagh & Nelder 1989, gamma errors with a logarithmic link).
   const Eigen::MatrixXd information =

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -13,6 +14,19 @@ namespace patina {
 namespace {
 
 double trusted_radius(Eigen::Index dimension) { return std::sqrt(static_cast<double>(dimension)) + 3; }
+
+/// The correlations of columns of variance 1, shrunk to none by as much as makes the expected squared error
+/// least (Ledoit & Wolf 2004; Schaefer & Strimmer 2005).
+Eigen::MatrixXd shrunk_correlations(const Eigen::MatrixXd& columns) {
+  const auto n = static_cast<double>(columns.cols());
+  const Eigen::MatrixXd found = columns * columns.transpose() / n;
+  const Eigen::MatrixXd squares = columns.cwiseAbs2() * columns.cwiseAbs2().transpose() / n;
+  const Eigen::MatrixXd errors = (squares - found.cwiseAbs2()) / n;  // variances of what was found
+  const Eigen::MatrixXd variances = found.diagonal().asDiagonal();
+  const double error = errors.sum() - errors.trace(), all = (found - variances).squaredNorm();
+  const double share = std::clamp(error / std::max(all, 1e-300), 0.0, 1.0);
+  return (1 - share) * found + share * variances;
+}
 
 /// Of residuals that are independent of one another, at a mean: variances by fit_log_variance(), correlations
 /// alike everywhere.
@@ -26,8 +40,7 @@ Eigen::MatrixXd covariance_at(const Eigen::VectorXd& mean, const Eigen::MatrixXd
     sds[i] = std::exp(0.5 * (fit[0] + slopes.dot(mean)));
     scaled.row(i).array() *= (-0.5 * (fit[0] + (slopes * means).array())).exp();
   }
-  const Eigen::MatrixXd correlations = scaled * scaled.transpose() / static_cast<double>(scaled.cols());
-  return sds.asDiagonal() * correlations * sds.asDiagonal();
+  return sds.asDiagonal() * shrunk_correlations(scaled) * sds.asDiagonal();
 }
 
 Eigen::MatrixXd with_constant(const Eigen::MatrixXd& scores) {
