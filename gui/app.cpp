@@ -221,6 +221,9 @@ void App::draw_panels() {
   // After the panels, so that a click is answered in the frame that saw it.
   const PreviewView& view = preview_.view();
   previews_.want(session_, shown_draw(session_), view.resolution, is_shape(view.subject));
+  if (const auto held = scatter_.held())
+    previews_.foresee(session_, selected_draw(session_.model().draws(), *held), view.resolution,
+                      is_shape(view.subject));
 }
 
 void App::draw_dialogs(const PanelContext& context) {

@@ -50,6 +50,11 @@ void ScatterPanel::show(Show what) {
   show_ = what;
 }
 
+std::optional<std::size_t> ScatterPanel::held() const {
+  if (show_ == Show::plot) return plot_.held();
+  return show_ == Show::trace ? trace_.plot().held() : std::nullopt;
+}
+
 void ScatterPanel::take_keys(bool taken) {
   if (taken && show_ != Show::trace) show_ = Show::plot;
   plot_.take_keys(taken && show_ == Show::plot);

@@ -35,6 +35,8 @@ class ScatterPanel {
 
   /// Where the plot of two parameters was in the last frame, and what it showed.
   const PlotView& view() const { return plot_.view(); }
+  /// The draw that will be selected if the mouse button that is down comes up where it is.
+  std::optional<std::size_t> held() const;
   const MatrixPlot& matrix() const { return matrix_; }
   const TracePlot& trace() const { return trace_; }
   const Gallery& gallery() const { return gallery_; }

@@ -234,6 +234,8 @@ void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
       io.MouseClickedLastCount[ImGuiMouseButton_Left] < 2) {
     if (const auto draw = hit(model, kClickReach)) model.select(draw);
   }
+  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) held_ = hit(model, kClickReach);
+  if (!ImGui::IsItemActive() || marking_.active()) held_.reset();
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)) {
     view_.x = moved(view_.x, -io.MouseDelta.x * view_.x_per_pixel());
     view_.y = moved(view_.y, io.MouseDelta.y * view_.y_per_pixel());

@@ -42,6 +42,8 @@ class ScatterPlot {
   /// Where the plot was in the last frame, and what it showed.
   const PlotView& view() const { return view_; }
   const DrawColours& colours() const { return contents_.colours; }
+  /// The draw that will be selected if the mouse button that is down comes up where it is.
+  std::optional<std::size_t> held() const { return held_; }
   bool shows_density() const { return points_.shows_density(); }
 
  private:
@@ -78,6 +80,7 @@ class ScatterPlot {
   CredibleRegions regions_;
   MarkingGesture marking_;
   MarkingCursor cursor_;
+  std::optional<std::size_t> held_;
 };
 
 }  // namespace patina

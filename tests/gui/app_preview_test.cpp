@@ -57,6 +57,29 @@ TEST_F(AppPreview, AClickReplacesThePreviewByThatDrawsRender) {
   EXPECT_FALSE(shows(draws[1].values)) << "the preview can be told from another draw's";
 }
 
+TEST_F(AppPreview, WhatIsPressedIsRenderedInAdvanceButShownOnlyWhereAClickSelectsIt) {
+  const std::vector<Draw> draws{draw(0.25, 0.2, -1), draw(0.55, 0.8, -2), draw(0.4, 0.5, -3)};
+  start_run_of(draws);
+  ASSERT_TRUE(frames_until([&] { return shows(draws[0].values); }));
+  const auto hold = [&](std::size_t index) {
+    window_->move_mouse(pixel_of(index).x, pixel_of(index).y);
+    window_->press_mouse();
+    for (int i = 0; i < 50; ++i) app_.frame(0.02);  // in which it is rendered
+  };
+  hold(1);
+  EXPECT_TRUE(shows(draws[0].values));
+  window_->release_mouse();
+  EXPECT_TRUE(frames_until([&] { return shows(draws[1].values); }));
+
+  hold(2);
+  window_->move_mouse(pixel_of(2).x + 30, pixel_of(2).y + 30);
+  window_->release_mouse();
+  for (int i = 0; i < 50; ++i) app_.frame(0.02);
+  EXPECT_TRUE(shows(draws[1].values)) << "a drag marks draws";
+  click(pixel_of(2));
+  EXPECT_TRUE(frames_until([&] { return shows(draws[2].values); })) << "what was foreseen in vain";
+}
+
 TEST_F(AppPreview, ShowsTheBestDrawUntilOneIsSelectedAndAgainAfterEscape) {
   const std::vector<Draw> draws{draw(0.25, 0.2, -5), draw(0.55, 0.8, -1)};
   start_run_of(draws);
