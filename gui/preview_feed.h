@@ -45,8 +45,8 @@ class PreviewFeed {
   PreviewWorker worker_;
   std::optional<Asked> asked_, foreseen_;
   std::optional<Preview> early_;  ///< of what was foreseen
-  std::set<std::uint64_t>
-      wanted_;  ///< tickets that are not taken yet; others are of what was foreseen in vain
+  /// Tickets that are not taken yet; renders of any other were foreseen in vain.
+  std::set<std::uint64_t> wanted_;
   std::uint64_t taken_ticket_ = 0;
   Clock::time_point asked_at_;
 };
