@@ -6,8 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "engine/posterior/least_squares.h"
-#include "engine/posterior/log_variances.h"
+#include "engine/posterior/local_regression.h"
 #include "engine/sampling/archive.h"
 
 namespace patina {
@@ -28,25 +27,12 @@ Eigen::MatrixXd shrunk_correlations(const Eigen::MatrixXd& columns) {
   return (1 - share) * found + share * variances;
 }
 
-/// Of residuals that are independent of one another, at a mean: variances by fit_log_variance(), correlations
-/// alike everywhere.
-Eigen::MatrixXd covariance_at(const Eigen::VectorXd& mean, const Eigen::MatrixXd& residuals,
-                              const Eigen::MatrixXd& means) {
-  Eigen::MatrixXd scaled = residuals;
-  Eigen::VectorXd sds(residuals.rows());
-  for (Eigen::Index i = 0; i < residuals.rows(); ++i) {
-    const Eigen::VectorXd fit = fit_log_variance(residuals.row(i), means);
-    const Eigen::RowVectorXd slopes = fit.tail(means.rows()).transpose();
-    sds[i] = std::exp(0.5 * (fit[0] + slopes.dot(mean)));
-    scaled.row(i).array() *= (-0.5 * (fit[0] + (slopes * means).array())).exp();
-  }
-  return sds.asDiagonal() * shrunk_correlations(scaled) * sds.asDiagonal();
-}
-
-Eigen::MatrixXd with_constant(const Eigen::MatrixXd& scores) {
-  Eigen::MatrixXd design(scores.cols(), 1 + scores.rows());
-  design << Eigen::VectorXd::Ones(scores.cols()), scores.transpose();
-  return design;
+Eigen::MatrixXd covariance_of(const LocalRegression& of) {
+  const Eigen::VectorXd sds =
+      (of.errors.rowwise().squaredNorm() / static_cast<double>(of.errors.cols())).cwiseMax(1e-20).cwiseSqrt();
+  const Eigen::VectorXd predictive = sds.cwiseProduct(of.sd_factors);
+  return predictive.asDiagonal() * shrunk_correlations(sds.cwiseInverse().asDiagonal() * of.errors) *
+         predictive.asDiagonal();
 }
 
 }  // namespace
@@ -55,21 +41,13 @@ RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::Matr
                                          const Eigen::MatrixXd& scores, const Eigen::VectorXd& observed)
     : region_(region) {
   assert(offsets.cols() >= 3 * (1 + scores.rows()));
-  const Eigen::MatrixXd design = with_constant(scores);
-  const LeastSquares regression(design, offsets);
-  const Eigen::VectorXd features = with_constant(observed).transpose();
-  const Eigen::VectorXd mean = regression.coefficients * features;
-  // Residuals of photos that were left out have what is unknown of the mean in them, for a usual photo.
-  const double leverage = regression.leverage_of(features), usual = regression.leverages.mean();
-  const Eigen::MatrixXd covariance =
-      (1 + leverage) / (1 + usual) *
-      covariance_at(mean, regression.left_out(), regression.coefficients * design.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  const LocalRegression local = local_regression(offsets, scores, observed);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_of(local));
   // No direction is known to the last digit, or less well than before the photo.
   const Eigen::VectorXd variances = solver.eigenvalues().cwiseMax(1e-8).cwiseMin(1.0);
   const Eigen::MatrixXd& axes = solver.eigenvectors();
   precision_ = axes * (variances.cwiseInverse().array() - 1).matrix().asDiagonal() * axes.transpose();
-  pull_ = axes * variances.cwiseInverse().asDiagonal() * axes.transpose() * mean;
+  pull_ = axes * variances.cwiseInverse().asDiagonal() * axes.transpose() * local.mean;
 }
 
 RegressedLikelihood RegressedLikelihood::widened(double times) const {

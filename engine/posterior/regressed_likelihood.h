@@ -11,10 +11,9 @@ class Archive;
 
 /// The likelihood of a photo that photos simulated in a region make by what their scores say of their places
 /// (regression adjustment: Beaumont et al. 2002, Fearnhead & Prangle 2012). Places v ~ N(0, I) of the region
-/// are regressed on scores:
+/// are regressed on scores, see LocalRegression:
 ///   v | scores ~ N(m, S): m linear in the scores; S the covariance of the residuals, each as it would be,
-///   had the other photos alone been regressed, with variances that change with m, exponentially, and with
-///   what is unknown of m.
+///   had the other photos alone been regressed, wider by what is unknown of m.
 /// The likelihood is N(m, S) over N(0, I), exp(-v^T P v / 2 + b^T v), P = S^-1 - I, b = S^-1 m: the posterior
 /// under any prior follows. Irregularities are averaged over, so that they count once, the photo's; jagged
 /// coordinates are smooth; and what scores do not tell cannot seem known, for S is judged by photos that the

@@ -1,64 +1,12 @@
 #include "engine/posterior/scores.h"
 
-#include <Eigen/Eigenvalues>
-
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "engine/posterior/least_squares.h"
 #include "engine/posterior/quadratic_features.h"
+#include "engine/posterior/ridge.h"
 
 namespace patina {
-namespace {
-
-// Shares of the summaries' mean variance along a direction of the photos' span.
-constexpr std::array kPenalties{1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0};
-
-/// The photos' Gram matrix X^T X, as far as it is not zero: vectors values vectors^T, from whichever of X^T X
-/// and X X^T is the smaller.
-struct Spectrum {
-  Eigen::MatrixXd vectors;
-  Eigen::VectorXd values;
-
-  /// @param entries  X, entries x photos
-  explicit Spectrum(const Eigen::MatrixXd& entries) {
-    const bool few = entries.rows() < entries.cols();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        few ? Eigen::MatrixXd(entries * entries.transpose())
-            : Eigen::MatrixXd(entries.transpose() * entries));
-    values = solver.eigenvalues().cwiseMax(0);
-    vectors = few ? Eigen::MatrixXd(entries.transpose() * solver.eigenvectors()).colwise().normalized()
-                  : solver.eigenvectors();
-  }
-};
-
-/// Ridge regression of one target in the photos' span, and what it predicts of photos that are left out.
-struct Fit {
-  Eigen::VectorXd dual, left_out;
-  double loss = std::numeric_limits<double>::infinity();
-};
-
-/// @param target  centred
-Fit fit(const Eigen::VectorXd& target, const Spectrum& spectrum) {
-  const auto& [vectors, values] = spectrum;
-  const Eigen::VectorXd rotated = vectors.transpose() * target;
-  const double of_mean = 1.0 / static_cast<double>(target.size()), unit = values.sum() * of_mean;
-  Fit best;
-  for (const double penalty : kPenalties) {
-    const Eigen::ArrayXd damped = values.array() + penalty * unit;
-    const Eigen::ArrayXd kept = values.array() / damped;
-    const Eigen::VectorXd fitted = vectors * (kept * rotated.array()).matrix();
-    const Eigen::ArrayXd leverages = (vectors.cwiseAbs2() * kept.matrix()).array() + of_mean;
-    const Eigen::VectorXd errors = (target - fitted).array() / (1 - leverages).max(1e-3);
-    if (errors.squaredNorm() >= best.loss) continue;
-    best = {vectors * (rotated.array() / damped).matrix(), target - errors, errors.squaredNorm()};
-  }
-  return best;
-}
-
-}  // namespace
 
 Scores::Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries, Compression compression)
     : compression_(std::move(compression)),
@@ -73,11 +21,13 @@ Scores::Scores(const Eigen::MatrixXd& places, const Eigen::MatrixXd& summaries, 
       (variances.array() > 1e-20).select(variances.array().max(1e-20).rsqrt(), 0.0);
   scaled = precisions.asDiagonal() * scaled;
   const Spectrum spectrum(scaled);
+  const auto photos = static_cast<double>(scaled.cols());
+  const Eigen::VectorXd mean_leverages = Eigen::VectorXd::Constant(scaled.cols(), 1 / photos);
   for (Eigen::Index i = 0; i < places.rows(); ++i) {
     const Eigen::VectorXd target = places.row(i).transpose().array() - mean_place[i];
-    const Fit best = fit(target, spectrum);
+    const RidgeFit best = fit_ridge(target, spectrum, mean_leverages);
     weights_.row(i) = (precisions.asDiagonal() * (scaled * best.dual)).transpose();
-    left_out_.row(i) = best.left_out.transpose().array() + mean_place[i];
+    left_out_.row(i) = places.row(i) - best.errors.transpose();
   }
   constants_ = mean_place - weights_ * mean;
   straighten(places);

@@ -95,6 +95,33 @@ TEST(RegressedLikelihood, DoesNotKnowWhatScoresDoNotTell) {
   EXPECT_LT(found.mean.norm(), 1);
 }
 
+TEST(RegressedLikelihood, HasTheErrorsOfPhotosLikeThisOne) {
+  // Scores of two coordinates, the first with errors that grow with it.
+  Rng rng(10);
+  const Eigen::MatrixXd places = normals(rng, 2, 2000);
+  const auto score = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    return v + 0.2 * Eigen::Vector2d(std::exp(v[0]), 1).cwiseProduct(rng.normals(2));
+  };
+  Eigen::MatrixXd scores(2, places.cols());
+  for (Eigen::Index i = 0; i < places.cols(); ++i) scores.col(i) = score(places.col(i));
+  const auto sds = [&](double first) -> Eigen::VectorXd {
+    const Eigen::VectorXd seen = Eigen::Vector2d(first, 0);
+    return approximate_posterior({prior_region(2), places, scores, seen}).covariance.diagonal().cwiseSqrt();
+  };
+  const Eigen::ArrayXd growth = sds(1).array() / sds(-1).array();
+  EXPECT_GT(growth[0], 1.1);
+  EXPECT_NEAR(growth[1], 1, 0.1);
+}
+
+TEST(RegressedLikelihood, OfAPhotoLikeNoneThatWasSimulatedIsOfMostOfThem) {
+  Rng rng(11);
+  const Eigen::MatrixXd places = normals(rng, 2, 200), scores = places + 0.3 * normals(rng, 2, 200);
+  const Eigen::VectorXd far = Eigen::Vector2d(30, -30);
+  const Normal found = approximate_posterior({prior_region(2), places, scores, far});
+  const Normal near = approximate_posterior({prior_region(2), places, scores, Eigen::Vector2d(1, -1)});
+  EXPECT_GT(found.covariance.diagonal().minCoeff(), near.covariance.diagonal().maxCoeff());
+}
+
 /// The share of toy photos whose truth lies in the central 90 % interval of their first coordinate.
 /// @param degrees  of freedom of the errors' t distribution; 0: normal
 double coverage_of(Eigen::Index photos, int degrees, Rng& rng) {

@@ -65,7 +65,8 @@ Ridge ridge_by_quadrature(const Posterior& posterior) {
 
 TEST(Similarity, DrawsLieAlongTheCurveOfSimilarMediaAndNotAtOnePlaceOfIt) {
   const Posterior posterior = posterior_of(kTruth, kResolution);
-  const std::vector<Scatterer> draws = draw_scatterers(posterior, {.chains = 4, .warmup = 300, .draws = 1000});
+  const std::vector<Scatterer> draws =
+      draw_scatterers(posterior, {.chains = 4, .warmup = 300, .draws = 1000});
   const Ridge drawn = ridge_of_draws(draws);
   EXPECT_NEAR(drawn.across.mean, 0, 0.1);
   EXPECT_LT(drawn.across.sd, 0.2);

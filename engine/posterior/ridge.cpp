@@ -1,0 +1,43 @@
+#include "engine/posterior/ridge.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+
+namespace patina {
+namespace {
+
+// Shares of the inputs' mean variance along a direction of their span.
+constexpr std::array kPenalties{1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0};
+
+}  // namespace
+
+Spectrum::Spectrum(const Eigen::MatrixXd& inputs) {
+  const bool few = inputs.rows() < inputs.cols();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      few ? Eigen::MatrixXd(inputs * inputs.transpose()) : Eigen::MatrixXd(inputs.transpose() * inputs));
+  values = solver.eigenvalues().cwiseMax(0);
+  vectors = few ? Eigen::MatrixXd(inputs.transpose() * solver.eigenvectors()).colwise().normalized()
+                : solver.eigenvectors();
+}
+
+RidgeFit fit_ridge(const Eigen::VectorXd& target, const Spectrum& spectrum,
+                   const Eigen::VectorXd& mean_leverages) {
+  const auto& [vectors, values] = spectrum;
+  const Eigen::VectorXd rotated = vectors.transpose() * target;
+  const double unit = values.sum() / static_cast<double>(target.size());
+  RidgeFit best;
+  for (const double penalty : kPenalties) {
+    const Eigen::ArrayXd damped = values.array() + penalty * unit;
+    const Eigen::ArrayXd kept = values.array() / damped;
+    const Eigen::VectorXd fitted = vectors * (kept * rotated.array()).matrix();
+    const Eigen::ArrayXd leverages = (vectors.cwiseAbs2() * kept.matrix() + mean_leverages).array();
+    const Eigen::VectorXd errors = (target - fitted).array() / (1 - leverages).max(1e-9);
+    if (errors.squaredNorm() >= best.loss) continue;
+    best = {vectors * (rotated.array() / damped).matrix(), errors, penalty * unit, leverages.mean(),
+            errors.squaredNorm()};
+  }
+  return best;
+}
+
+}  // namespace patina
