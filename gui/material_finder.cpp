@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/run/threads.h"
+#include "gui/priority.h"
 
 namespace patina {
 
@@ -11,7 +11,7 @@ MaterialFinder::MaterialFinder(Rank rank, std::function<void()> wake)
     : board_(std::make_shared<Board>()),
       loader_(
           [rank = std::move(rank), wake](const Request& request) {
-            yield_to_the_window();
+            yield_to_frames();
             const auto tell = [&](double fraction, const std::string& doing) {
               {
                 const std::lock_guard lock(request.board->mutex);

@@ -3,6 +3,9 @@
 #include <array>
 #include <cstdlib>
 #include <ctime>
+#include <utility>
+
+#include "gui/priority.h"
 
 namespace patina {
 namespace {
@@ -17,6 +20,18 @@ std::string timestamp() {
 }
 
 }  // namespace
+
+std::unique_ptr<DrawSource> start_behind_frames(const RunSettings& settings, const Photo& photo,
+                                                const std::filesystem::path& directory,
+                                                std::function<void()> wake) {
+  return behind_frames([&] { return start_run(settings, photo, directory, std::move(wake)); });
+}
+
+std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings, const Photo& photo,
+                                                 const std::filesystem::path& directory,
+                                                 std::function<void()> wake) {
+  return behind_frames([&] { return resume_run(settings, photo, directory, std::move(wake)); });
+}
 
 std::filesystem::path default_runs_directory() {
   const std::filesystem::path below = std::filesystem::path("patina") / "runs";

@@ -11,12 +11,20 @@
 
 namespace patina {
 
+/// start_run() and resume_run() on threads that leave the cores to the window.
+std::unique_ptr<DrawSource> start_behind_frames(const RunSettings& settings, const Photo& photo,
+                                                const std::filesystem::path& directory,
+                                                std::function<void()> wake);
+std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings, const Photo& photo,
+                                                 const std::filesystem::path& directory,
+                                                 std::function<void()> wake);
+
 /// Where the window gets its runs from. Tests put runs of known draws here.
 struct RunFactory {
   std::function<std::unique_ptr<DrawSource>(
       const RunSettings&, const Photo&, const std::filesystem::path& directory, std::function<void()> wake)>
-      start = start_run;
-  decltype(start) resume = resume_run;
+      start = start_behind_frames;
+  decltype(start) resume = resume_behind_frames;
   std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory,
                                             std::function<void()> wake)>
       open = open_in_background;

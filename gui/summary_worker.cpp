@@ -12,7 +12,7 @@
 #include "engine/error.h"
 #include "engine/material/off_values.h"
 #include "engine/run/running_summary.h"
-#include "engine/run/threads.h"
+#include "gui/priority.h"
 
 namespace patina {
 namespace {
@@ -89,7 +89,7 @@ struct SummaryWorker::State {
   }
 
   void work(const std::stop_token& stop) {
-    yield_to_the_window();
+    yield_to_frames();
     ThinnedDraws kept;
     RunningSummary running(table);
     const std::map<std::string, double> off = absent_at(table.material);

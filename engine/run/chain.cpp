@@ -87,7 +87,6 @@ void Chain::recall_draws() {
 void Chain::run() noexcept {
   try {
     use_tensor_threads(1);
-    yield_to_the_window();
     if (!begun_) begin();
     warm_up();
     sample();

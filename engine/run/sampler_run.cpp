@@ -161,7 +161,6 @@ void SamplerRun::stop() { shared_.control.stop(); }
 void SamplerRun::write_manifest() { write_file_atomically(manifest_file(directory_), to_json(manifest_)); }
 
 void SamplerRun::coordinate() noexcept {
-  yield_to_the_window();
   StopWatcher watcher(settings_, table_, directory_, shared_);
   RunPhase phase = RunPhase::finished;
   try {
