@@ -69,6 +69,7 @@ void App::load(const std::filesystem::path& path) {
 
 double App::patience() const {
   if (scatter_.busy() || material_.table().behind()) return 0;
+  if (scatter_.behind()) return 0.05;
   if (exporter_.busy()) return 0.1;
   if (ImGui::GetIO().WantTextInput) return 0.4;  // the cursor blinks
   if (preferences_ != saved_preferences_ && !preferences_file_.empty()) return 1;

@@ -137,7 +137,7 @@ class GlfwWindow final : public Window {
   }
 
   void end_frame() override {
-    draw_frame(gl_, *renderer_);
+    draw_frame(*renderer_);
     glfwSwapBuffers(window_.get());
   }
 

@@ -4,18 +4,6 @@
 #include <vector>
 
 namespace patina {
-namespace {
-
-void draw(const Gl& gl, ImguiRenderer& renderer) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.ClearColor(0, 0, 0, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
-  renderer.render(*ImGui::GetDrawData());
-}
-
-}  // namespace
-
 ImguiContext::ImguiContext() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
@@ -26,14 +14,14 @@ ImguiContext::ImguiContext() {
 
 ImguiContext::~ImguiContext() { ImGui::DestroyContext(); }
 
-void draw_frame(const Gl& gl, ImguiRenderer& renderer) {
+void draw_frame(ImguiRenderer& renderer) {
   ImGui::Render();
-  draw(gl, renderer);
+  renderer.render(*ImGui::GetDrawData());
 }
 
 Image read_frame(const Gl& gl, ImguiRenderer& renderer) {
   const ImDrawData& data = *ImGui::GetDrawData();
-  draw(gl, renderer);
+  renderer.render(data);
   Image image(static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x),
               static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y), 3);
   std::vector<std::uint8_t> bytes(image.pixels.size());

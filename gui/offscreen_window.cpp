@@ -108,7 +108,7 @@ class OsmesaWindow final : public OffscreenWindow {
   }
 
   void end_frame() override {
-    draw_frame(gl_, renderer_);
+    draw_frame(renderer_);
     gl_.Finish();
   }
 

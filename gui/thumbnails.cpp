@@ -12,7 +12,7 @@ const Texture* Thumbnails::find(const Session& session, std::size_t draw, int re
   const Key key{session.run_version(), draw, resolution};
   if (const auto entry = entries_.find(key); entry != entries_.end()) {
     entry->second.used = frame_;
-    return entry->second.picture ? &*entry->second.picture : nullptr;
+    return entry->second.picture ? &entry->second.picture->texture() : nullptr;
   }
   if (pending_ == key) return nullptr;
   const ShownDraw shown = selected_draw(session.model().draws(), draw);
@@ -34,10 +34,11 @@ void Thumbnails::serve() {
 
 void Thumbnails::take_in() {
   if (const auto preview = worker_->take()) {
-    if (!renderer_) renderer_.emplace(gl_);
+    // Mipmaps would be waited for, and are not missed at about half size.
+    if (!renderer_) renderer_.emplace(gl_, TextureFilter::linear);
     renderer_->set_maps(preview->maps);
     renderer_->render();
-    entries_[*pending_] = {Texture::picture(gl_, renderer_->read()), frame_};
+    entries_[*pending_] = {renderer_->take(), frame_};
   } else if (!worker_->last_error().empty()) {
     entries_[*pending_] = {std::nullopt, frame_};
     worker_.reset();  // with its error, which the next request is not to be blamed for

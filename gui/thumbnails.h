@@ -39,7 +39,7 @@ class Thumbnails {
     auto operator<=>(const Key&) const = default;
   };
   struct Entry {
-    std::optional<Texture> picture;  ///< none: its render failed
+    std::optional<Framebuffer> picture;  ///< none: its render failed
     std::uint64_t used = 0;          ///< the frame when it was looked at last
   };
   void take_in();

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "gui/gl/frame_changes.h"
 #include "gui/gl/objects.h"
 
 namespace patina {
@@ -16,18 +17,23 @@ class ImguiRenderer {
   /// Uploads the font atlas if it is new or its fonts have been replaced. Before every ImGui::NewFrame().
   void prepare();
 
-  /// Draws into the bound framebuffer, whose row 0 is at the bottom (the window's).
+  /// Draws what has changed since the last frame, and shows it all in the window's own framebuffer.
   void render(const ImDrawData& data);
 
  private:
   void begin(const ImDrawData& data) const;
-  void draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command) const;
+  void draw_changes(const ImDrawData& data);
+  void draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part) const;
+  void draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
+            const PixelRect& part) const;
 
   const Gl& gl_;
   Program program_;
   VertexArray layout_;
   Buffer vertices_, indices_;
   std::optional<Texture> fonts_;
+  FrameChanges changes_;
+  std::optional<Framebuffer> canvas_;  ///< the last frame
 };
 
 /// Adds an image whose colours are already multiplied by their opacity, as a PointRenderer makes them.

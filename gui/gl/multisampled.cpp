@@ -54,7 +54,7 @@ void MultisampledFramebuffer::bind() const {
   gl_.Disable(GL_SCISSOR_TEST);
 }
 
-void MultisampledFramebuffer::resolve_into(const Framebuffer& target) {
+void MultisampledFramebuffer::resolve_into(Framebuffer& target) {
   assert(target.width() == width_ && target.height() == height_);
   target.bind();
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());

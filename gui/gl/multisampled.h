@@ -13,8 +13,8 @@ class MultisampledFramebuffer {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  void bind() const;                             ///< draw here, all of it
-  void resolve_into(const Framebuffer& target);  ///< of the same size; nothing is bound after it
+  void bind() const;                       ///< draw here, all of it
+  void resolve_into(Framebuffer& target);  ///< of the same size; nothing is bound after it
 
  private:
   const Gl& gl_;

@@ -60,11 +60,21 @@ Framebuffer::Framebuffer(const Gl& gl, int width, int height, TextureFilter filt
   }
 }
 
-void Framebuffer::bind() const {
+void Framebuffer::bind() {
   const Gl& gl = name_.gl();
   gl.BindFramebuffer(GL_FRAMEBUFFER, name_.get());
   gl.Viewport(0, 0, width(), height());
   gl.Disable(GL_SCISSOR_TEST);
+  texture_.changed();
+}
+
+void Framebuffer::copy_to_window() const {
+  const Gl& gl = name_.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.BlitFramebuffer(0, 0, width(), height(), 0, height(), width(), 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 Image Framebuffer::read_rgb() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -54,8 +55,14 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   GLuint name() const { return name_.get(); }
-  /// What Dear ImGui's drawing functions take (an ImTextureID).
-  void* imgui_id() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name())); }
+  /// What Dear ImGui's drawing functions take (an ImTextureID): the name, and above it which contents, so
+  /// that a frame with other contents is another frame.
+  void* imgui_id() const {
+    return std::bit_cast<void*>(static_cast<std::uintptr_t>(contents_) << 32 | name());
+  }
+  static GLuint name_in(void* imgui_id) {
+    return static_cast<GLuint>(std::bit_cast<std::uintptr_t>(imgui_id));
+  }
 
   void bind(int unit) const;
   void generate_mipmaps() const;  ///< after its contents changed, if its filter is mipmapped
@@ -65,9 +72,10 @@ class Texture {
   void filter_beyond_edges(GLint wrap) const;
 
   /// Replaces the contents of a texture made by floats(); same size and channels.
-  void update(const Image& image) const;
+  void update(const Image& image);
   /// Replaces a part of a texture made by rgba8(). @param bytes  width * height * 4
-  void update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes) const;
+  void update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes);
+  void changed();  ///< told by whoever else has drawn into it
 
   Image read() const;  ///< what it holds: RGBA, rows from the top; bytes as [0,1]
 
@@ -77,6 +85,7 @@ class Texture {
 
   GlName name_;
   int width_, height_;
+  std::uint32_t contents_ = 0;  ///< a number that no other texture has had
 };
 
 /// Vertices or indices on the device, rewritten often. Grows by doubling.
@@ -115,7 +124,8 @@ class Framebuffer {
   int width() const { return texture_.width(); }
   int height() const { return texture_.height(); }
 
-  void bind() const;  ///< draw here, all of it: sets the viewport, scissor off
+  void bind();                  ///< draw here, all of it: sets the viewport, scissor off
+  void copy_to_window() const;  ///< upright: the window's row 0 is at the bottom
   Image read() const { return texture_.read(); }
   Image read_rgb() const;  ///< without its opacity
 

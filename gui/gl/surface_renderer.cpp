@@ -5,8 +5,12 @@
 
 namespace patina {
 
-SurfaceRenderer::SurfaceRenderer(const Gl& gl)
-    : gl_(gl), program_(Program::load(gl, "fullscreen", "surface")), empty_(gl), textures_(gl) {}
+SurfaceRenderer::SurfaceRenderer(const Gl& gl, TextureFilter filter)
+    : gl_(gl),
+      filter_(filter),
+      program_(Program::load(gl, "fullscreen", "surface")),
+      empty_(gl),
+      textures_(gl) {}
 
 void SurfaceRenderer::set_uniforms(const SurfaceView& view) const {
   const auto set = [&](const char* name, double value) {
@@ -24,7 +28,7 @@ void SurfaceRenderer::set_uniforms(const SurfaceView& view) const {
 void SurfaceRenderer::render(const SurfaceView& view) {
   assert(!textures_.empty());
   const int n = textures_.resolution();
-  if (!target_ || target_->width() != n) target_.emplace(gl_, n, n, TextureFilter::mipmapped);
+  if (!target_ || target_->width() != n) target_.emplace(gl_, n, n, filter_);
   target_->bind();
   gl_.Disable(GL_BLEND);
   program_.use();
@@ -32,7 +36,7 @@ void SurfaceRenderer::render(const SurfaceView& view) {
   empty_.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  target_->texture().generate_mipmaps();
+  if (filter_ == TextureFilter::mipmapped) target_->texture().generate_mipmaps();
 }
 
 }  // namespace patina

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "engine/material/maps.h"
 #include "gui/gl/objects.h"
@@ -20,8 +21,9 @@ class SurfaceRenderer {
  public:
   static constexpr int kMaxLobes = SurfaceTextures::kMaxLobes;
 
+  /// @param filter  how its render is looked up
   /// @throws UserError if the shaders are missing or do not compile
-  explicit SurfaceRenderer(const Gl& gl);
+  explicit SurfaceRenderer(const Gl& gl, TextureFilter filter = TextureFilter::mipmapped);
 
   /// Uploads the maps. @throws UserError if the device cannot hold a texture this large
   void set_maps(const MaterialMaps& maps) { textures_.set(maps); }
@@ -33,15 +35,17 @@ class SurfaceRenderer {
 
   bool has_render() const { return target_.has_value(); }
 
-  /// The render, display values, opaque; as many pixels as the maps have. Mipmapped, so that it can be shown
-  /// at any size.
+  /// The render, display values, opaque; as many pixels as the maps have.
   const Texture& texture() const { return target_->texture(); }
   Image read() const { return target_->read_rgb(); }  ///< the render as 3 channels in [0,1]
+  /// The render itself; the next one is drawn elsewhere.
+  Framebuffer take() { return *std::exchange(target_, std::nullopt); }
 
  private:
   void set_uniforms(const SurfaceView& view) const;
 
   const Gl& gl_;
+  TextureFilter filter_;  ///< mipmapped: it can be shown at any size
   Program program_;
   VertexArray empty_;
   SurfaceTextures textures_;

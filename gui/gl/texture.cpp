@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -59,6 +60,7 @@ Texture::Texture(const Gl& gl, int width, int height, TextureFilter filter)
             [](const Gl& g, GLuint name) { g.DeleteTextures(1, &name); }),
       width_(width),
       height_(height) {
+  changed();
   const GLint shrunk = filter == TextureFilter::nearest  ? GL_NEAREST
                        : filter == TextureFilter::linear ? GL_LINEAR
                                                          : GL_LINEAR_MIPMAP_LINEAR;
@@ -112,18 +114,25 @@ void Texture::filter_beyond_edges(GLint wrap) const {
   gl().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
 }
 
-void Texture::update(const Image& image) const {
+void Texture::update(const Image& image) {
   assert(image.width == width_ && image.height == height_);
   bind(0);
   gl().TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, float_format(image.channels).given, GL_FLOAT,
                      image.pixels.data());
+  changed();
 }
 
-void Texture::update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes) const {
+void Texture::update(int left, int top, int width, int height, std::span<const std::uint8_t> bytes) {
   assert(bytes.size() == 4 * static_cast<std::size_t>(width) * height);
   assert(left >= 0 && top >= 0 && left + width <= width_ && top + height <= height_);
   bind(0);
   gl().TexSubImage2D(GL_TEXTURE_2D, 0, left, top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  changed();
+}
+
+void Texture::changed() {
+  static std::atomic<std::uint32_t> last = 0;
+  contents_ = ++last;
 }
 
 Image Texture::read() const {

@@ -32,6 +32,7 @@ class ScatterPanel {
   void take(MarkingTool tool) { tool_ = tool; }  ///< to mark draws with
   void show_marked_ranges() { marked_.show_ranges(); }
   bool busy() const { return show_ == Show::pairs && matrix_.busy(); }  ///< another frame should follow
+  bool behind() const { return show_ == Show::plot && plot_.behind(); }  ///< likewise, in a moment
 
   /// Where the plot of two parameters was in the last frame, and what it showed.
   const PlotView& view() const { return plot_.view(); }

@@ -20,6 +20,9 @@ constexpr float kHoverReach = 0.6f;  // em
 constexpr float kBarRoom = 2.2f;     // em
 constexpr float kBarWidth = 0.5f;    // em
 
+// A density of so many draws is much the same with a few more.
+constexpr std::chrono::milliseconds kDensityInterval(50);
+
 constexpr ImU32 kUnmarked = IM_COL32(110, 114, 118, 255);
 
 ImU32 with_alpha(ImU32 color, ImU32 alpha) {
@@ -128,6 +131,27 @@ void ScatterPlot::follow_draws(const Session& session, const PlotSubject& subjec
 
 void ScatterPlot::send_points(const ExplorerModel& model) {
   const DrawColumns& draws = model.draws();
+  const Clock::time_point now = Clock::now();
+  behind_ = sent_ > 0 && sent_ < draws.size() && shows_density() && now - sent_at_ < kDensityInterval;
+  if (!behind_) {
+    append_points(model);
+    sent_at_ = now;
+  }
+  const float density = ImGui::GetIO().DisplayFramebufferScale.x;
+  const Colouring::Kind kind = model.colouring().kind;
+  PointStyle style;
+  style.diameter = std::max(3.0f, 0.27f * ImGui::GetFontSize() * density);
+  if (kind == Colouring::Kind::density) style.density_above = 0;
+  const bool own_colours = kind == Colouring::Kind::chain || kind == Colouring::Kind::axis;
+  style.density_colours = own_colours ? DensityColours::mean : DensityColours::count;
+  points_.set_style(style);
+  points_.set_view({view_.x.low, view_.x.high, view_.y.low, view_.y.high},
+                   static_cast<int>(view_.width * density), static_cast<int>(view_.height * density));
+  points_.render();
+}
+
+void ScatterPlot::append_points(const ExplorerModel& model) {
+  const DrawColumns& draws = model.draws();
   // Dimmed ones first, so that they lie beneath the others where all are drawn anew.
   std::vector<PlotPoint> points, dimmed;
   for (; sent_ < draws.size(); ++sent_) {
@@ -140,17 +164,6 @@ void ScatterPlot::send_points(const ExplorerModel& model) {
   }
   points_.append(dimmed);
   points_.append(points);
-  const float density = ImGui::GetIO().DisplayFramebufferScale.x;
-  const Colouring::Kind kind = model.colouring().kind;
-  PointStyle style;
-  style.diameter = std::max(3.0f, 0.27f * ImGui::GetFontSize() * density);
-  if (kind == Colouring::Kind::density) style.density_above = 0;
-  const bool own_colours = kind == Colouring::Kind::chain || kind == Colouring::Kind::axis;
-  style.density_colours = own_colours ? DensityColours::mean : DensityColours::count;
-  points_.set_style(style);
-  points_.set_view({view_.x.low, view_.x.high, view_.y.low, view_.y.high},
-                   static_cast<int>(view_.width * density), static_cast<int>(view_.height * density));
-  points_.render();
 }
 
 void ScatterPlot::count_bars(const ExplorerModel& model) {

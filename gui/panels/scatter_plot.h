@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <chrono>
 #include <functional>
 #include <optional>
 
@@ -45,8 +46,10 @@ class ScatterPlot {
   /// The draw that will be selected if the mouse button that is down comes up where it is.
   std::optional<std::size_t> held() const { return held_; }
   bool shows_density() const { return points_.shows_density(); }
+  bool behind() const { return behind_; }  ///< draws have come that are not shown yet
 
  private:
+  using Clock = std::chrono::steady_clock;
   /// What the points and bars were made from; anything else there means to begin again.
   struct Contents {
     int run = -1;
@@ -61,6 +64,7 @@ class ScatterPlot {
   void place_plot(const Rect& rect);
   void follow_draws(const Session& session, const PlotSubject& subject);
   void send_points(const ExplorerModel& model);
+  void append_points(const ExplorerModel& model);
   void count_bars(const ExplorerModel& model);
   void draw_contours(const Session& session);
   void draw_marks(const ExplorerModel& model) const;
@@ -74,6 +78,8 @@ class ScatterPlot {
   PlotView view_;
   bool following_ = true;    ///< the view follows the draws until the user moves it
   bool had_draws_ = false;   ///< in the frame before
+  bool behind_ = false;
+  Clock::time_point sent_at_;
   std::size_t sent_ = 0;     ///< draws given to the renderer
   std::size_t counted_ = 0;  ///< draws in the bars
   Histogram x_bars_, y_bars_;

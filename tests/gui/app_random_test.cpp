@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "gui/imgui_host.h"
 #include "tests/gui/app_fixture.h"
 
 #ifndef PATINA_RANDOM_EVENTS
@@ -129,6 +130,12 @@ class AppRandomInput : public AppTest {
     }
   }
 
+  /// Only what has changed was drawn; all of the window must be as if it were drawn anew.
+  void expect_drawn() {
+    ImguiRenderer anew(window_->gl());
+    ASSERT_TRUE(window_->screenshot().pixels == read_frame(window_->gl(), anew).pixels);
+  }
+
   std::mt19937 rng_{20261121};
   int made_ = 0;
 };
@@ -142,6 +149,7 @@ TEST_F(AppRandomInput, OfAnyKindLeavesTheWindowSoundAndUsable) {
       stay_at_home();
     } while (!window_->input_taken());
     expect_sound();
+    if (event % 10 == 0) expect_drawn();
   }
   window_->resize(1280, 800);
   for (const ImGuiMouseButton button : {0, 1, 2}) window_->release_mouse(button);

@@ -34,7 +34,7 @@ TEST_F(GlTest, FloatTexturesComeBackBitForBit) {
 }
 
 TEST_F(GlTest, UpdatingAFloatTextureReplacesItsContents) {
-  const Texture texture = Texture::floats(gl(), noise(5, 3, 1, 0, 1));
+  Texture texture = Texture::floats(gl(), noise(5, 3, 1, 0, 1));
   const Image later = noise(5, 3, 1, 5, 6);
   texture.update(later);
   EXPECT_EQ(texture.read().at(2, 4, 0), later.at(2, 4, 0));
@@ -62,7 +62,7 @@ TEST_F(GlTest, AGreyPictureIsGrey) {
 }
 
 TEST_F(GlTest, AFramebufferKeepsItsClearColour) {
-  const Framebuffer target(gl(), 6, 4);
+  Framebuffer target(gl(), 6, 4);
   target.bind();
   gl().ClearColor(0.2f, 0.4f, 0.6f, 1);
   gl().Clear(GL_COLOR_BUFFER_BIT);
