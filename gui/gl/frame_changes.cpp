@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 constexpr int kTile = 32;              // pixels
-constexpr std::size_t kMostRects = 3;  // each has all of a panel's vertices
+constexpr std::size_t kMostRects = 8;  // each costs some draw calls
 
 void mix(std::uint64_t& hash, std::uint64_t value) {
   hash = (std::rotl(hash, 23) ^ value) * 0x9e37'79b9'7f4a'7c15;
@@ -34,13 +34,6 @@ struct Grid {
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
 };
 
-/// Pixels that three vertices may touch, smoothed edges and rounding included.
-PixelRect touched(const ImDrawData& data, const ImVec2& a, const ImVec2& b, const ImVec2& c) {
-  const PixelRect inside = pixels_of(data, {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
-                                     {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})});
-  return {inside.left - 1, inside.top - 1, inside.width + 2, inside.height + 2};
-}
-
 /// What a frame draws in each tile.
 class TileHashes {
  public:
@@ -62,11 +55,10 @@ class TileHashes {
     const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
     for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3, index += 3) {
       std::uint64_t triangle = state;
-      const auto vertex = [&](int k) -> const ImDrawVert& {
-        return list.VtxBuffer[static_cast<int>(command.VtxOffset + index[k])];
-      };
-      for (int k = 0; k < 3; ++k) mix(triangle, hash_of(&vertex(k), sizeof(ImDrawVert)));
-      add(common_part(touched(data_, vertex(0).pos, vertex(1).pos, vertex(2).pos), clip), triangle);
+      for (int k = 0; k < 3; ++k)
+        mix(triangle,
+            hash_of(&list.VtxBuffer[static_cast<int>(command.VtxOffset + index[k])], sizeof(ImDrawVert)));
+      add(common_part(pixels_near(data_, list, command, index), clip), triangle);
     }
   }
 

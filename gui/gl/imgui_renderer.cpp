@@ -19,11 +19,6 @@ void blend_straight(const Gl& gl) {
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-template <class T>
-std::span<const std::byte> bytes_of(const ImVector<T>& items) {
-  return std::as_bytes(std::span<const T>(items.Data, static_cast<std::size_t>(items.Size)));
-}
-
 void clear(const Gl& gl, const PixelRect& rect, ImU32 color) {
   if (rect.empty()) return;
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
@@ -74,46 +69,64 @@ void ImguiRenderer::begin(const ImDrawData& data) const {
   layout_.bind();
 }
 
-void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
-                         const PixelRect& part) const {
+std::vector<ImguiRenderer::Step> ImguiRenderer::steps_of(const ImDrawData& data, const ImDrawList& list,
+                                                         const PixelRect& part) {
   constexpr float kLargeFill = 2000;  // pixels that are worth a draw call more
-  const PixelRect clip = common_part(clip_of(data, command), part);
-  if (clip.empty()) return;
-  const auto draw_indices = [&](unsigned from, unsigned to) {
-    if (from == to) return;
-    gl_.Scissor(clip.left, clip.top, clip.width, clip.height);
-    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(to - from), GL_UNSIGNED_SHORT,
-                               reinterpret_cast<const void*>(from * sizeof(ImDrawIdx)),
-                               static_cast<GLint>(command.VtxOffset));
-  };
-  gl_.BindTexture(GL_TEXTURE_2D, Texture::name_in(command.GetTexID()));
-  const bool has_fills = command.GetTexID() == ImGui::GetIO().Fonts->TexID;
+  const ImTextureID fonts = ImGui::GetIO().Fonts->TexID;
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-  const unsigned end = command.IdxOffset + command.ElemCount;
-  unsigned drawn = command.IdxOffset;
-  for (unsigned i = drawn; has_fills && i + 6 <= end; i += 3) {
-    const auto fill = opaque_fill(list, command, i, white);
-    if (!fill || fill->area() < kLargeFill) continue;
-    draw_indices(drawn, i);
-    clear(gl_, common_part(pixels_of(data, fill->low, fill->high), clip), fill->color);
-    drawn = i + 6;
-    i += 3;
+  std::vector<Step> steps;
+  kept_.clear();
+  for (const ImDrawCmd& command : list.CmdBuffer) {
+    const PixelRect clip = common_part(clip_of(data, command), part);
+    if (command.UserCallback) steps.push_back({&command, clip, kept_.size(), 0, {}});
+    if (command.UserCallback || clip.empty()) continue;
+    const unsigned end = command.IdxOffset + command.ElemCount;
+    std::size_t first = kept_.size();
+    const auto end_step = [&] {
+      if (kept_.size() > first) steps.push_back({&command, clip, first, kept_.size() - first, {}});
+      first = kept_.size();
+    };
+    for (unsigned i = command.IdxOffset; i + 3 <= end; i += 3) {
+      const ImDrawIdx* triangle = list.IdxBuffer.Data + i;
+      if (common_part(pixels_near(data, list, command, triangle), clip).empty()) continue;
+      const bool may_fill = command.GetTexID() == fonts && i + 6 <= end;
+      const auto fill = may_fill ? opaque_fill(list, command, i, white) : std::nullopt;
+      if (fill && fill->area() >= kLargeFill) {
+        end_step();
+        steps.push_back(
+            {&command, common_part(pixels_of(data, fill->low, fill->high), clip), first, 0, fill->color});
+        i += 3;
+      } else {
+        kept_.insert(kept_.end(), triangle, triangle + 3);
+      }
+    }
+    end_step();
   }
-  draw_indices(drawn, end);
+  return steps;
 }
 
-void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part) const {
+void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part) {
+  const std::vector<Step> steps = steps_of(data, list, part);
+  if (steps.empty()) return;
+  indices_.assign(std::as_bytes(std::span(kept_)));
   blend_straight(gl_);
-  for (const ImDrawCmd& command : list.CmdBuffer) {
-    if (!command.UserCallback) {
-      draw(data, list, command, part);
-    } else if (command.UserCallback == premultiplied_mark) {
+  for (const Step& step : steps) {
+    const ImDrawCmd& command = *step.command;
+    if (command.UserCallback == premultiplied_mark) {
       gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     } else if (command.UserCallback == straight_mark) {
       blend_straight(gl_);
-    } else {
+    } else if (command.UserCallback) {
       assert(command.UserCallback == ImDrawCallback_ResetRenderState);
       begin(data);
+    } else if (step.fill) {
+      clear(gl_, step.clip, *step.fill);
+    } else {
+      gl_.BindTexture(GL_TEXTURE_2D, Texture::name_in(command.GetTexID()));
+      gl_.Scissor(step.clip.left, step.clip.top, step.clip.width, step.clip.height);
+      gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(step.count), GL_UNSIGNED_SHORT,
+                                 reinterpret_cast<const void*>(step.first * sizeof(ImDrawIdx)),
+                                 static_cast<GLint>(command.VtxOffset));
     }
   }
 }
@@ -129,8 +142,7 @@ void ImguiRenderer::draw_changes(const ImDrawData& data) {
   for (const PixelRect& part : parts) clear(gl_, part, IM_COL32_BLACK);
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& list = *data.CmdLists[n];
-    vertices_.assign(bytes_of(list.VtxBuffer));
-    indices_.assign(bytes_of(list.IdxBuffer));
+    vertices_.assign(std::as_bytes(std::span(list.VtxBuffer.begin(), list.VtxBuffer.end())));
     for (const PixelRect& part : parts) draw(data, list, part);
   }
   gl_.Disable(GL_SCISSOR_TEST);

@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "gui/gl/frame_changes.h"
 #include "gui/gl/objects.h"
@@ -22,16 +24,23 @@ class ImguiRenderer {
 
  private:
   void begin(const ImDrawData& data) const;
+  /// What is to be done of a command: triangles, a large fill, or its callback.
+  struct Step {
+    const ImDrawCmd* command;
+    PixelRect clip;
+    std::size_t first, count;   ///< of kept_
+    std::optional<ImU32> fill;  ///< to clear the clip rectangle to
+  };
   void draw_changes(const ImDrawData& data);
-  void draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part) const;
-  void draw(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
-            const PixelRect& part) const;
+  std::vector<Step> steps_of(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
+  void draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
 
   const Gl& gl_;
   Program program_;
   VertexArray layout_;
   Buffer vertices_, indices_;
   std::optional<Texture> fonts_;
+  std::vector<ImDrawIdx> kept_;  ///< indices of triangles that touch the part that is drawn
   FrameChanges changes_;
   std::optional<Framebuffer> canvas_;  ///< the last frame
 };

@@ -39,4 +39,15 @@ PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high) {
   return {left, top, right - left, bottom - top};
 }
 
+PixelRect pixels_near(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
+                      const ImDrawIdx* indices) {
+  const auto place = [&](int k) {
+    return list.VtxBuffer[static_cast<int>(command.VtxOffset + indices[k])].pos;
+  };
+  const ImVec2 a = place(0), b = place(1), c = place(2);
+  const PixelRect inside = pixels_of(data, {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+                                     {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})});
+  return {inside.left - 1, inside.top - 1, inside.width + 2, inside.height + 2};
+}
+
 }  // namespace patina

@@ -26,4 +26,8 @@ PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command);
 /// The pixels whose middles lie inside, which are those that two triangles would cover.
 PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high);
 
+/// Those that the triangle of three of a command's indices may touch, rounding included.
+PixelRect pixels_near(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
+                      const ImDrawIdx* indices);
+
 }  // namespace patina
