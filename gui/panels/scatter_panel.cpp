@@ -30,6 +30,7 @@ void ScatterPanel::draw(const PanelContext& context, const Rect& rect, const Gal
   const PanelScope panel("Draws", rect, context,
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   Session& session = context.session;
+  thumbnails_wait_ = false;
   if (!session.has_run()) {
     return centred_hint(
         rect, session.has_photo()
@@ -42,7 +43,9 @@ void ScatterPanel::draw(const PanelContext& context, const Rect& rect, const Gal
   } else {
     draw_plots(context);
   }
-  thumbnails_.serve();
+  // To shade one and to draw a density anew are each most of a frame's time for a software rasteriser.
+  thumbnails_wait_ = show_ == Show::plot && plot_.redrew_density();
+  if (!thumbnails_wait_) thumbnails_.serve();
 }
 
 void ScatterPanel::show(Show what) {

@@ -32,7 +32,8 @@ class ScatterPanel {
   void take(MarkingTool tool) { tool_ = tool; }  ///< to mark draws with
   void show_marked_ranges() { marked_.show_ranges(); }
   bool busy() const { return show_ == Show::pairs && matrix_.busy(); }  ///< another frame should follow
-  bool behind() const { return show_ == Show::plot && plot_.behind(); }  ///< likewise, in a moment
+  /// Likewise, in a moment.
+  bool behind() const { return thumbnails_wait_ || (show_ == Show::plot && plot_.behind()); }
 
   /// Where the plot of two parameters was in the last frame, and what it showed.
   const PlotView& view() const { return plot_.view(); }
@@ -56,6 +57,7 @@ class ScatterPanel {
   TracePlot trace_;
   Gallery gallery_;
   MarkedDraws marked_;
+  bool thumbnails_wait_ = false;
   Show show_ = Show::plot;
   MarkingTool tool_ = MarkingTool::box;
 };

@@ -147,7 +147,7 @@ void ScatterPlot::send_points(const ExplorerModel& model) {
   points_.set_style(style);
   points_.set_view({view_.x.low, view_.x.high, view_.y.low, view_.y.high},
                    static_cast<int>(view_.width * density), static_cast<int>(view_.height * density));
-  points_.render();
+  redrew_density_ = points_.render() && shows_density();
 }
 
 void ScatterPlot::append_points(const ExplorerModel& model) {

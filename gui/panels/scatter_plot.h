@@ -47,6 +47,7 @@ class ScatterPlot {
   std::optional<std::size_t> held() const { return held_; }
   bool shows_density() const { return points_.shows_density(); }
   bool behind() const { return behind_; }  ///< draws have come that are not shown yet
+  bool redrew_density() const { return redrew_density_; }  ///< in this frame
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -78,7 +79,7 @@ class ScatterPlot {
   PlotView view_;
   bool following_ = true;    ///< the view follows the draws until the user moves it
   bool had_draws_ = false;   ///< in the frame before
-  bool behind_ = false;
+  bool behind_ = false, redrew_density_ = false;
   Clock::time_point sent_at_;
   std::size_t sent_ = 0;     ///< draws given to the renderer
   std::size_t counted_ = 0;  ///< draws in the bars
