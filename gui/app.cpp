@@ -19,7 +19,7 @@ namespace {
 
 /// Between frames for new draws alone: a draw is on the screen within a tenth of a second of being made, and
 /// the sampler keeps its cores.
-constexpr auto kDrawInterval = std::chrono::milliseconds(50);
+constexpr auto kDrawInterval = std::chrono::milliseconds(75);
 
 std::filesystem::path home() {
   const char* home = std::getenv("HOME");

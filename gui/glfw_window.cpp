@@ -139,6 +139,7 @@ class GlfwWindow final : public Window {
   void end_frame() override {
     draw_frame(*renderer_);
     glfwSwapBuffers(window_.get());
+    renderer_->lose_window();
   }
 
   bool should_close() const override { return glfwWindowShouldClose(window_.get()); }

@@ -19,8 +19,8 @@ class ImguiContext {
 /// Ends ImGui's frame and draws it into the window's own framebuffer.
 void draw_frame(ImguiRenderer& renderer);
 
-/// Draws the last frame once more (a window's pixels are undefined after it has been shown) and reads it
-/// back: 3 channels in [0,1], rows from the top.
+/// Shows the last frame once more (a window's pixels are undefined after a swap) and reads it back: 3
+/// channels in [0,1], rows from the top.
 Image read_frame(const Gl& gl, ImguiRenderer& renderer);
 
 }  // namespace patina

@@ -129,6 +129,7 @@ class OsmesaWindow final : public OffscreenWindow {
 
   void resize(int width, int height) override {
     target_.resize(width, height);
+    renderer_.lose_window();
     ImGui::GetIO().DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   }
 

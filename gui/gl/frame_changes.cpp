@@ -39,8 +39,13 @@ class TileHashes {
  public:
   TileHashes(const ImDrawData& data, const PixelRect& frame)
       : data_(data), frame_(frame), grid_(frame), hashes_(grid_.size(), 0) {
-    for (int n = 0; n < data.CmdListsCount; ++n)
-      for (const ImDrawCmd& command : data.CmdLists[n]->CmdBuffer) add(*data.CmdLists[n], command);
+    for (int n = 0; n < data.CmdListsCount; ++n) {
+      const ImDrawList& list = *data.CmdLists[n];
+      triangles_ = pixels_near_triangles(data, list);
+      corners_.clear();
+      for (const ImDrawVert& corner : list.VtxBuffer) corners_.push_back(hash_of(&corner, sizeof(corner)));
+      for (const ImDrawCmd& command : list.CmdBuffer) add(list, command);
+    }
   }
   std::vector<std::uint64_t> take() { return std::move(hashes_); }
 
@@ -52,13 +57,11 @@ class TileHashes {
     if (clip.empty()) return;
     std::uint64_t state = hash_of(&clip, sizeof(clip));
     mix(state, std::bit_cast<std::uintptr_t>(command.GetTexID()));
-    const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
-    for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3, index += 3) {
+    const std::uint64_t* corners = corners_.data() + command.VtxOffset;
+    for (unsigned i = command.IdxOffset; i + 3 <= command.IdxOffset + command.ElemCount; i += 3) {
       std::uint64_t triangle = state;
-      for (int k = 0; k < 3; ++k)
-        mix(triangle,
-            hash_of(&list.VtxBuffer[static_cast<int>(command.VtxOffset + index[k])], sizeof(ImDrawVert)));
-      add(common_part(pixels_near(data_, list, command, index), clip), triangle);
+      for (unsigned k = i; k < i + 3; ++k) mix(triangle, corners[list.IdxBuffer.Data[k]]);
+      add(common_part(triangles_[i / 3], clip), triangle);
     }
   }
 
@@ -75,6 +78,8 @@ class TileHashes {
   PixelRect frame_;
   Grid grid_;
   std::vector<std::uint64_t> hashes_;
+  std::vector<PixelRect> triangles_;    ///< of the list that is added
+  std::vector<std::uint64_t> corners_;  ///< hashes of its vertices
 };
 
 /// Adds a rectangle, with those that it meets in one that holds them all.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gui/gl/opaque_fills.h"
@@ -87,8 +88,8 @@ std::vector<ImguiRenderer::Step> ImguiRenderer::steps_of(const ImDrawData& data,
       first = kept_.size();
     };
     for (unsigned i = command.IdxOffset; i + 3 <= end; i += 3) {
+      if (common_part(triangles_[i / 3], clip).empty()) continue;
       const ImDrawIdx* triangle = list.IdxBuffer.Data + i;
-      if (common_part(pixels_near(data, list, command, triangle), clip).empty()) continue;
       const bool may_fill = command.GetTexID() == fonts && i + 6 <= end;
       const auto fill = may_fill ? opaque_fill(list, command, i, white) : std::nullopt;
       if (fill && fill->area() >= kLargeFill) {
@@ -131,30 +132,33 @@ void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const P
   }
 }
 
-void ImguiRenderer::draw_changes(const ImDrawData& data) {
+std::vector<PixelRect> ImguiRenderer::draw_changes(const ImDrawData& data) {
   const PixelRect frame = frame_of(data);
   if (!canvas_ || canvas_->width() != frame.width || canvas_->height() != frame.height)
     canvas_.emplace(gl_, frame.width, frame.height);
-  const std::vector<PixelRect> parts = changes_.follow(data);
-  if (parts.empty()) return;
+  std::vector<PixelRect> parts = changes_.follow(data);
+  if (parts.empty()) return parts;
   canvas_->bind();
   begin(data);
   for (const PixelRect& part : parts) clear(gl_, part, IM_COL32_BLACK);
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& list = *data.CmdLists[n];
     vertices_.assign(std::as_bytes(std::span(list.VtxBuffer.begin(), list.VtxBuffer.end())));
+    triangles_ = pixels_near_triangles(data, list);
     for (const PixelRect& part : parts) draw(data, list, part);
   }
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_BLEND);
+  return parts;
 }
 
 void ImguiRenderer::render(const ImDrawData& data) {
   static_assert(sizeof(ImDrawIdx) == 2, "draw() says GL_UNSIGNED_SHORT");
   if (frame_of(data).empty()) return;
   gl_.ActiveTexture(GL_TEXTURE0);
-  draw_changes(data);
-  canvas_->copy_to_window();
+  std::vector<PixelRect> changed = draw_changes(data);
+  if (std::exchange(window_lost_, false)) changed = {frame_of(data)};
+  for (const PixelRect& part : changed) canvas_->copy_to_window(part);
 }
 
 void add_premultiplied_image(ImDrawList& list, ImTextureID texture, ImVec2 top_left, ImVec2 bottom_right) {

@@ -22,6 +22,9 @@ class ImguiRenderer {
   /// Draws what has changed since the last frame, and shows it all in the window's own framebuffer.
   void render(const ImDrawData& data);
 
+  /// Tells that the window's own framebuffer no longer holds the last frame, as after a swap of buffers.
+  void lose_window() { window_lost_ = true; }
+
  private:
   void begin(const ImDrawData& data) const;
   /// What is to be done of a command: triangles, a large fill, or its callback.
@@ -31,7 +34,7 @@ class ImguiRenderer {
     std::size_t first, count;   ///< of kept_
     std::optional<ImU32> fill;  ///< to clear the clip rectangle to
   };
-  void draw_changes(const ImDrawData& data);
+  std::vector<PixelRect> draw_changes(const ImDrawData& data);  ///< @return where
   std::vector<Step> steps_of(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
   void draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
 
@@ -40,9 +43,11 @@ class ImguiRenderer {
   VertexArray layout_;
   Buffer vertices_, indices_;
   std::optional<Texture> fonts_;
-  std::vector<ImDrawIdx> kept_;  ///< indices of triangles that touch the part that is drawn
+  std::vector<PixelRect> triangles_;  ///< of the list that is drawn
+  std::vector<ImDrawIdx> kept_;       ///< indices of those that touch the part that is drawn
   FrameChanges changes_;
   std::optional<Framebuffer> canvas_;  ///< the last frame
+  bool window_lost_ = true;
 };
 
 /// Adds an image whose colours are already multiplied by their opacity, as a PointRenderer makes them.

@@ -68,12 +68,14 @@ void Framebuffer::bind() {
   texture_.changed();
 }
 
-void Framebuffer::copy_to_window() const {
+void Framebuffer::copy_to_window(const PixelRect& part) const {
   const Gl& gl = name_.gl();
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
   gl.Disable(GL_SCISSOR_TEST);
-  gl.BlitFramebuffer(0, 0, width(), height(), 0, height(), width(), 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const GLint right = part.left + part.width, bottom = part.top + part.height;
+  gl.BlitFramebuffer(part.left, part.top, right, bottom, part.left, height() - part.top, right,
+                     height() - bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/image.h"
 #include "gui/gl/functions.h"
+#include "gui/gl/pixel_rect.h"
 
 namespace patina {
 
@@ -124,8 +125,9 @@ class Framebuffer {
   int width() const { return texture_.width(); }
   int height() const { return texture_.height(); }
 
-  void bind();                  ///< draw here, all of it: sets the viewport, scissor off
-  void copy_to_window() const;  ///< upright: the window's row 0 is at the bottom
+  void bind();  ///< draw here, all of it: sets the viewport, scissor off
+  /// To the same place, upright: the window's row 0 is at the bottom.
+  void copy_to_window(const PixelRect& part) const;
   Image read() const { return texture_.read(); }
   Image read_rgb() const;  ///< without its opacity
 

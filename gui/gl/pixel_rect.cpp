@@ -5,12 +5,6 @@
 
 namespace patina {
 
-PixelRect common_part(const PixelRect& a, const PixelRect& b) {
-  const GLint left = std::max(a.left, b.left), top = std::max(a.top, b.top);
-  return {left, top, std::min(a.left + a.width, b.left + b.width) - left,
-          std::min(a.top + a.height, b.top + b.height) - top};
-}
-
 PixelRect spanned(const PixelRect& a, const PixelRect& b) {
   const GLint left = std::min(a.left, b.left), top = std::min(a.top, b.top);
   return {left, top, std::max(a.left + a.width, b.left + b.width) - left,
@@ -39,15 +33,27 @@ PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high) {
   return {left, top, right - left, bottom - top};
 }
 
-PixelRect pixels_near(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
-                      const ImDrawIdx* indices) {
-  const auto place = [&](int k) {
-    return list.VtxBuffer[static_cast<int>(command.VtxOffset + indices[k])].pos;
+std::vector<PixelRect> pixels_near_triangles(const ImDrawData& data, const ImDrawList& list) {
+  constexpr int kMargin = 2;  // of rounding, and of casts, which round towards 0
+  const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
+  const auto pixel = [](float at) {
+    constexpr float kFar = 1e6f;  // pixels; what lies beyond is on no screen
+    return static_cast<int>(std::clamp(at, -kFar, kFar));
   };
-  const ImVec2 a = place(0), b = place(1), c = place(2);
-  const PixelRect inside = pixels_of(data, {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
-                                     {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})});
-  return {inside.left - 1, inside.top - 1, inside.width + 2, inside.height + 2};
+  std::vector<PixelRect> rects(static_cast<std::size_t>(list.IdxBuffer.Size / 3));
+  for (const ImDrawCmd& command : list.CmdBuffer) {
+    const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+    for (unsigned i = command.IdxOffset; i + 3 <= command.IdxOffset + command.ElemCount; i += 3) {
+      const ImDrawIdx* index = list.IdxBuffer.Data + i;
+      const ImVec2 a = vertices[index[0]].pos, b = vertices[index[1]].pos, c = vertices[index[2]].pos;
+      const int left = pixel((std::min({a.x, b.x, c.x}) - origin.x) * scale.x) - kMargin;
+      const int right = pixel((std::max({a.x, b.x, c.x}) - origin.x) * scale.x) + kMargin;
+      const int top = pixel((std::min({a.y, b.y, c.y}) - origin.y) * scale.y) - kMargin;
+      const int bottom = pixel((std::max({a.y, b.y, c.y}) - origin.y) * scale.y) + kMargin;
+      rects[i / 3] = {left, top, right - left, bottom - top};
+    }
+  }
+  return rects;
 }
 
 }  // namespace patina

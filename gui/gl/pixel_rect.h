@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "gui/gl/functions.h"
 
 namespace patina {
@@ -15,7 +18,11 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
-PixelRect common_part(const PixelRect& a, const PixelRect& b);
+inline PixelRect common_part(const PixelRect& a, const PixelRect& b) {
+  const GLint left = std::max(a.left, b.left), top = std::max(a.top, b.top);
+  return {left, top, std::min(a.left + a.width, b.left + b.width) - left,
+          std::min(a.top + a.height, b.top + b.height) - top};
+}
 
 /// The least that holds both.
 PixelRect spanned(const PixelRect& a, const PixelRect& b);
@@ -26,8 +33,7 @@ PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command);
 /// The pixels whose middles lie inside, which are those that two triangles would cover.
 PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high);
 
-/// Those that the triangle of three of a command's indices may touch, rounding included.
-PixelRect pixels_near(const ImDrawData& data, const ImDrawList& list, const ImDrawCmd& command,
-                      const ImDrawIdx* indices);
+/// Those that each triangle of a list may touch, rounding included: that of the indices from 3 i on is i.
+std::vector<PixelRect> pixels_near_triangles(const ImDrawData& data, const ImDrawList& list);
 
 }  // namespace patina
