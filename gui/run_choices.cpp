@@ -51,6 +51,7 @@ void RunChoices::set_material(const std::string& name) {
   changed.material = name;
   changed.summary.clear();
   changed.refresh.reset();
+  changed.warmup.reset();
   changed.start = RunSettings().start;
   changed.start_at.clear();
   changed.fixed.clear();

@@ -52,9 +52,9 @@ void note_time(RunOutlook& outlook, const StopRules& rules, std::optional<double
 RunOutlook outlook_of_sampling(const RunStatus& status, const RunSettings& settings,
                                const std::optional<StopEvidence>& evidence, std::optional<double> spent) {
   const StopRules& rules = settings.stop;
-  const double draws = std::max(0.0, steps_made(status) - settings.warmup);
+  const double draws = std::max(0.0, steps_made(status) - settings.warmup.value());
   RunOutlook outlook;
-  note(outlook, RunOutlook::End::draws, seconds_to(settings.warmup + settings.draws, status));
+  note(outlook, RunOutlook::End::draws, seconds_to(settings.warmup.value() + settings.draws, status));
   note_time(outlook, rules, spent);
   outlook.done = static_cast<float>(draws / std::max(1, settings.draws));
   if (rules.minutes > 0 && spent)
@@ -64,7 +64,7 @@ RunOutlook outlook_of_sampling(const RunStatus& status, const RunSettings& setti
     outlook.at_most = !growth;
     if (growth) {
       const double judged = static_cast<double>(evidence->draws) / static_cast<double>(settings.chains);
-      note(outlook, RunOutlook::End::goal, seconds_to(settings.warmup + *growth * judged, status));
+      note(outlook, RunOutlook::End::goal, seconds_to(settings.warmup.value() + *growth * judged, status));
       outlook.done = std::max(outlook.done, static_cast<float>(draws / std::max(1.0, *growth * judged)));
     }
   }
@@ -86,9 +86,9 @@ RunOutlook run_outlook(const RunStatus& status, const RunSettings& settings,
       return outlook;
     case RunPhase::warming_up:
       outlook.done =
-          static_cast<float>(std::clamp(steps_made(status) / std::max(1, settings.warmup), 0.0, 1.0));
+          static_cast<float>(std::clamp(steps_made(status) / std::max(1, settings.warmup.value()), 0.0, 1.0));
       note_time(outlook, settings.stop, spent);
-      if (const auto seconds = seconds_to(settings.warmup, status);
+      if (const auto seconds = seconds_to(settings.warmup.value(), status);
           seconds && !(outlook.seconds && *outlook.seconds < *seconds))
         return {outlook.done, seconds, RunOutlook::End::warmup, false};
       return outlook;

@@ -234,7 +234,7 @@ void Session::go_on() {
   assert(can_go_on());
   RunSettings settings = source_->settings();
   const bool some_left = std::ranges::any_of(status_.chains, [&](const ChainStatus& chain) {
-    return chain.iteration < settings.warmup + settings.draws;
+    return chain.iteration < settings.warmup.value() + settings.draws;
   });
   if (!some_left && !status_.chains.empty()) settings.draws *= 2;
   settings.stop.ess = settings.stop.rhat = 0;

@@ -11,6 +11,7 @@
 #include "engine/run/posterior_settings.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/threads.h"
+#include "engine/sampling/kernels.h"
 #include "engine/sampling/rng.h"
 #include "engine/summary/summary.h"
 
@@ -68,7 +69,7 @@ ChartTarget PhotoProblem::target() const {
   return {settings_.summary,
           settings_.resolution,
           std::max(least, kLeastResolution),
-          std::ranges::count(posterior_->jagged(), true) > 0,
+          has_jagged(*posterior_),
           !posterior_->discrete_levels().empty(),
           true};
 }

@@ -104,7 +104,7 @@ ChartSetting default_setting(bool has_jagged) {
   setting.start = run.start;
   setting.errors = run.errors;
   setting.chains = run.chains;
-  setting.warmup = run.warmup;
+  setting.warmup = run.warmup.value_or(usual_warmup(has_jagged));
   setting.alpha = run.alpha;
   setting.refresh = run.refresh.value_or(usual_refresh(has_jagged));
   setting.path_length = run.path_length;

@@ -107,7 +107,9 @@ void FitOptions::add_sampler(CLI::App& command) {
 
 void FitOptions::add_counts(CLI::App& command) {
   add(command, "--chains", &RunSettings::chains, "Number of chains");
-  add(command, "--warmup", &RunSettings::warmup, "Warm-up iterations of each chain");
+  add(command, "--warmup", &RunSettings::warmup,
+      "Warm-up iterations of each chain (default: 1500 where a parameter is one that gradients do not move, "
+      "else 500)");
   add(command, "--draws", &RunSettings::draws, "Draws of each chain after warm-up");
   add(command, "--seed", &RunSettings::seed, "Seed of the search and the chains");
   add(command, "--z-seed", &RunSettings::z_seed, "Seed of the irregularities");

@@ -18,7 +18,7 @@ std::int64_t transitions(const RunStatus& status) {
 }
 
 std::int64_t all_transitions(const RunSettings& settings) {
-  return std::int64_t{settings.chains} * (std::int64_t{settings.warmup} + settings.draws);
+  return std::int64_t{settings.chains} * (std::int64_t{settings.warmup.value()} + settings.draws);
 }
 
 std::string duration_text(double seconds) {

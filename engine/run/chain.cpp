@@ -17,7 +17,7 @@ ChainCsvHeader header_of(const ChainPlan& plan, int index) {
   header.model = "patina_" + plan.settings.material;
   header.id = index + 1;
   header.seed = plan.settings.seed;
-  header.num_warmup = plan.settings.warmup;
+  header.num_warmup = plan.settings.warmup.value();
   header.num_samples = plan.settings.draws;
   header.names = column_names(plan.table);
   return header;
@@ -61,7 +61,7 @@ Chain::Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, i
       rng_(plan.settings.seed, static_cast<std::uint64_t>(index) + 1),
       file_(open_file(plan, index, begun_ ? &at_ : nullptr)) {
   if (!begun_) return;
-  const int met = last_meeting(plan_.settings.warmup, at_.window);
+  const int met = last_meeting(plan_.settings.warmup.value(), at_.window);
   if (met >= 0 && !meeting_.was_held(met))
     refuse_state(chain_state_file(plan_.directory, index_), "warmup.state is not the one that goes with it");
   rng_.seek(at_.random_position);
@@ -108,12 +108,12 @@ void Chain::begin() {
   const auto metric =
       std::make_shared<const Metric>(restricted(plan_.laplace->covariance(), metric_kind(settings.metric)));
   at_.climber =
-      begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup > 0, start, rng_);
+      begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup.value() > 0, start, rng_);
   begun_ = true;
 }
 
 void Chain::warm_up() {
-  const std::vector<WarmupWindow> schedule = warmup_schedule(plan_.settings.warmup);
+  const std::vector<WarmupWindow> schedule = warmup_schedule(plan_.settings.warmup.value());
   while (at_.window < std::ssize(schedule)) {
     const WarmupWindow& window = schedule[static_cast<std::size_t>(at_.window)];
     while (at_.iteration < window.end) step(/*warmup=*/true);
@@ -125,7 +125,7 @@ void Chain::end_window(const WarmupWindow& window) {
   save();  // others may let it wait
   Climber climber = at_.climber;
   LadderWindow result = take_window(climber);
-  if (chains_meet(window, plan_.settings.warmup))
+  if (chains_meet(window, plan_.settings.warmup.value()))
     go_on_with(meeting_.meet(index_, at_.window, std::move(result), shared_.control.token()),
                window.adapts_metric, climber);
   at_.climber = std::move(climber);
@@ -141,7 +141,7 @@ void Chain::sample() {
   const KernelSettings& frozen = at_.climber.target_settings();
   if (!file_.place().adapted)
     shared_.write_or_pause([&] { file_.adaptation_terminated(frozen.step_size, metric_diagonal(frozen)); });
-  const std::int64_t last = std::int64_t{plan_.settings.warmup} + plan_.settings.draws;
+  const std::int64_t last = std::int64_t{plan_.settings.warmup.value()} + plan_.settings.draws;
   while (at_.iteration < last) step(/*warmup=*/false);
 }
 

@@ -28,7 +28,7 @@ bool is_in_its_window(const ChainCheckpoint& c, const std::vector<WarmupWindow>&
 }
 
 void check(const ChainCheckpoint& c, const LogDensity& target, const RunSettings& settings) {
-  if (!is_in_its_window(c, warmup_schedule(settings.warmup), settings.warmup))
+  if (!is_in_its_window(c, warmup_schedule(settings.warmup.value()), settings.warmup.value()))
     throw ArchiveError("it is at no place of a warm-up");
   if (!fits(c.climber.betas, settings.rungs())) throw ArchiveError("its ladder is not one of this run");
   if (!fits(c.climber.state, target, settings.rungs()))

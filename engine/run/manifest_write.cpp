@@ -28,7 +28,7 @@ Json settings_json(const RunSettings& s) {
           {"metric", s.metric},
           {"discrete", s.discrete},
           {"chains", s.chains},
-          {"warmup", s.warmup},
+          {"warmup", s.warmup.value()},
           {"draws", s.draws},
           {"alpha", s.alpha},
           {"refresh", s.refresh.value()},

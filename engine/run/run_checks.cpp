@@ -46,7 +46,7 @@ void check_capture(const Capture& capture) {
 
 void check_settings(const RunSettings& settings, const Photo& photo) {
   check_count("chains", settings.chains, 1, kMostChains);
-  check_count("warm-up iterations", settings.warmup, 0, kMostIterations);
+  check_count("warm-up iterations", settings.warmup.value_or(0), 0, kMostIterations);
   check_count("draws", settings.draws, 1, kMostIterations);
   check_resolution(settings.resolution);
   check_capture(settings.capture);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "engine/material/capture.h"
@@ -34,11 +35,12 @@ struct RunSettings {
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  int warmup = 1500;
+  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number in use.
+  std::optional<int> warmup;
   int draws = 10000;   ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;  ///< probability of a continuous move, where there are discrete parameters
-  /// Probability that a continuous move refreshes one parameter instead (kernels.h). Empty: what suits the
-  /// posterior; run.json holds the one in use.
+  /// Probability that a continuous move refreshes one parameter instead (kernels.h). Empty:
+  /// usual_refresh(); run.json holds the one in use.
   std::optional<double> refresh;
   double path_length = 1.5;  ///< of hmc's trajectories, in standard deviations (kernels.h)
   /// Rungs of every chain's ladder from prior to posterior, see sampling/tempering.h; 0: chains by

@@ -88,7 +88,9 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   posteriors_.push_back(std::make_unique<Posterior>(
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
-  if (!settings_.refresh) settings_.refresh = usual_refresh(has_jagged());
+  const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
+  if (!settings_.refresh) settings_.refresh = usual_refresh(jagged);
+  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged);
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
@@ -105,10 +107,6 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
     status.chains.resize(static_cast<std::size_t>(settings_.chains));
   });
   coordinator_ = std::thread([this] { coordinate(); });
-}
-
-bool SamplerRun::has_jagged() const {
-  return !is_calibrated() && std::ranges::count(posteriors_.front()->jagged(), true) > 0;
 }
 
 void SamplerRun::begin() {

@@ -57,7 +57,6 @@ class SamplerRun final : public DrawSource {
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
-  bool has_jagged() const;  ///< the target; learnt likelihoods are smooth
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
   void take_stock(const std::deque<Chain>& chains);

@@ -74,8 +74,15 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
                                     double refresh = 0, const std::string& discrete = "joint",
                                     double path_length = 1.5);
 
+/// Whether gradients leave a coordinate of the target alone.
+bool has_jagged(const LogDensity& target);
+
 /// The share of refresh moves of one who asks for none: many where nothing else moves jagged coordinates, few
 /// where gradients move all (resources/charts).
 double usual_refresh(bool has_jagged);
+
+/// The warm-up iterations of one who asks for none: fewer where gradients move all, since each then costs a
+/// trajectory and learns as much more (resources/charts).
+int usual_warmup(bool has_jagged);
 
 }  // namespace patina

@@ -80,6 +80,10 @@ std::unique_ptr<Kernel> make_kernel(const std::string& name, const LogDensity& t
   return make_mixture(std::move(continuous), std::move(levels), alpha);
 }
 
+bool has_jagged(const LogDensity& target) { return std::ranges::count(target.jagged(), true) > 0; }
+
 double usual_refresh(bool has_jagged) { return has_jagged ? 0.75 : 0.25; }
+
+int usual_warmup(bool has_jagged) { return has_jagged ? 1500 : 500; }
 
 }  // namespace patina

@@ -7,6 +7,7 @@
 
 #include "engine/run/draw_queue.h"
 #include "engine/run/draw_source.h"
+#include "engine/sampling/kernels.h"
 #include "gui/plot_axis.h"
 #include "gui/run_factory.h"
 
@@ -32,7 +33,9 @@ class FakeSource final : public DrawSource {
         settings_(std::move(settings)),
         table_(std::move(table)),
         photo_(std::move(photo)),
-        directory_(std::move(directory)) {}
+        directory_(std::move(directory)) {
+    if (!settings_.warmup) settings_.warmup = usual_warmup(false);  // as a run does
+  }
 
   const std::filesystem::path& directory() const override { return directory_; }
   const RunSettings& settings() const override { return settings_; }

@@ -156,8 +156,9 @@ TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
   session_.poll();
   EXPECT_FALSE(session_.can_go_on());
   const auto directory = session_.run().directory();
+  const std::int64_t all = session_.run().settings().warmup.value() + started_.draws;
   run_->status.phase = RunPhase::finished;
-  run_->status.chains = {{.iteration = 100}, {.iteration = started_.warmup + started_.draws}};
+  run_->status.chains = {{.iteration = 100}, {.iteration = all}};
   session_.poll();
   ASSERT_TRUE(session_.can_go_on());
   session_.go_on();
@@ -166,7 +167,7 @@ TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
   EXPECT_EQ(resumed_->stop.rhat, 0);
   EXPECT_EQ(resumed_->stop.minutes, started_.stop.minutes);
 
-  run_->status.chains = {{.iteration = started_.warmup + started_.draws}};
+  run_->status.chains = {{.iteration = all}};
   session_.poll();
   session_.go_on();
   EXPECT_EQ(resumed_->draws, 2 * started_.draws);

@@ -26,6 +26,7 @@ class ManifestTest : public FolderTest {
     m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.refresh = 0.3;
+    m.settings.warmup = 400;
     m.settings.seed = std::numeric_limits<std::uint64_t>::max();
     m.settings.fixed = {{"light", 0.1 + 0.2}};
     m.settings.priors = {{"rough", {0.4, 0.1, 0.2, 0.6}}};

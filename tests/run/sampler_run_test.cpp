@@ -99,21 +99,27 @@ TEST_F(SamplerRunTest, WithoutASummaryTheMaterialsOwnIsUsedAndWrittenDown) {
   EXPECT_EQ(read_manifest(directory()).settings.summary, material_table("bump").summary);
 }
 
-TEST_F(SamplerRunTest, WithoutAShareOfRefreshMovesJaggedCoordinatesDecideAndItIsWrittenDown) {
-  const auto share_of = [&](const std::string& material) {
+TEST_F(SamplerRunTest, JaggedCoordinatesDecideWhatNobodyAskedForAndItIsWrittenDown) {
+  const auto used_for = [&](const std::string& material) {
     RunSettings asked = settings();
     asked.material = material;
+    asked.warmup.reset();
     const auto folder = folder_ / material;
     start_run(asked, photo(), folder)->stop();
-    return read_manifest(folder).settings.refresh;
+    return read_manifest(folder).settings;
   };
-  const auto of_smooth = share_of("bump"), of_jagged = share_of("leather");
-  ASSERT_TRUE(of_smooth && of_jagged);
-  EXPECT_LT(*of_smooth, *of_jagged);
+  const RunSettings of_smooth = used_for("bump"), of_jagged = used_for("leather");
+  EXPECT_LT(of_smooth.refresh.value(), of_jagged.refresh.value());
+  EXPECT_LT(of_smooth.warmup.value(), of_jagged.warmup.value());
+}
+
+TEST_F(SamplerRunTest, WhatTheUserAskedForIsUsedAndWrittenDown) {
   RunSettings told = settings();
   told.refresh = 0.4;
+  told.warmup = 7;
   start_run(told, photo(), directory())->stop();
   EXPECT_EQ(read_manifest(directory()).settings.refresh, 0.4);
+  EXPECT_EQ(read_manifest(directory()).settings.warmup, 7);
 }
 
 TEST_F(SamplerRunTest, MapOnlyFindsAMatchAndDrawsNothing) {

@@ -43,7 +43,8 @@ class TemperedChain : public CheapChainsTest {
   Eigen::MatrixXd in_first_mode(const std::vector<Draw>& draws) const {
     Eigen::MatrixXd first(settings_.draws, kChains);
     for (const Draw& draw : draws)
-      if (!draw.warmup) first(draw.iteration - settings_.warmup, draw.chain) = draw.values.continuous[0] < 0;
+      if (!draw.warmup)
+        first(draw.iteration - settings_.warmup.value(), draw.chain) = draw.values.continuous[0] < 0;
     return first;
   }
 
