@@ -21,9 +21,9 @@ using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kLeastInterval = std::chrono::milliseconds(100);
 constexpr Clock::duration kLeastIntervalOfExactFigures = std::chrono::seconds(1);
 
-/// How long to wait after work that took so long, for a tenth of a core.
+/// How long to wait after work that took so long, for a thirtieth of a core: the chains want the rest.
 Clock::duration rest_after(Clock::duration spent, Clock::duration least) {
-  return std::max(least, 9 * spent);
+  return std::max(least, 29 * spent);
 }
 
 /// The worker's draws after warm-up, thinned by whole iterations so that chains stay aligned.

@@ -10,8 +10,8 @@
 namespace patina {
 namespace {
 
-constexpr int kTile = 32;              // pixels
-constexpr std::size_t kMostRects = 8;  // each costs some draw calls
+constexpr int kTile = 32;               // pixels
+constexpr std::size_t kMostRects = 16;  // each costs some draw calls
 
 void mix(std::uint64_t& hash, std::uint64_t value) {
   hash = (std::rotl(hash, 23) ^ value) * 0x9e37'79b9'7f4a'7c15;
@@ -37,20 +37,20 @@ struct Grid {
 /// What a frame draws in each tile.
 class TileHashes {
  public:
-  TileHashes(const ImDrawData& data, const PixelRect& frame)
+  TileHashes(const ImDrawData& data, const std::vector<TriangleRects>& triangles, const PixelRect& frame)
       : data_(data), frame_(frame), grid_(frame), hashes_(grid_.size(), 0) {
     for (int n = 0; n < data.CmdListsCount; ++n) {
       const ImDrawList& list = *data.CmdLists[n];
-      triangles_ = pixels_near_triangles(data, list);
       corners_.clear();
       for (const ImDrawVert& corner : list.VtxBuffer) corners_.push_back(hash_of(&corner, sizeof(corner)));
-      for (const ImDrawCmd& command : list.CmdBuffer) add(list, command);
+      for (const ImDrawCmd& command : list.CmdBuffer)
+        add(list, command, triangles[static_cast<std::size_t>(n)]);
     }
   }
   std::vector<std::uint64_t> take() { return std::move(hashes_); }
 
  private:
-  void add(const ImDrawList& list, const ImDrawCmd& command) {
+  void add(const ImDrawList& list, const ImDrawCmd& command, const TriangleRects& triangles) {
     // A change of how what follows is blended concerns every tile.
     if (command.UserCallback) return add(frame_, std::bit_cast<std::uintptr_t>(command.UserCallback));
     const PixelRect clip = common_part(clip_of(data_, command), frame_);
@@ -61,7 +61,7 @@ class TileHashes {
     for (unsigned i = command.IdxOffset; i + 3 <= command.IdxOffset + command.ElemCount; i += 3) {
       std::uint64_t triangle = state;
       for (unsigned k = i; k < i + 3; ++k) mix(triangle, corners[list.IdxBuffer.Data[k]]);
-      add(common_part(triangles_[i / 3], clip), triangle);
+      add(common_part(triangles[i / 3], clip), triangle);
     }
   }
 
@@ -78,8 +78,7 @@ class TileHashes {
   PixelRect frame_;
   Grid grid_;
   std::vector<std::uint64_t> hashes_;
-  std::vector<PixelRect> triangles_;    ///< of the list that is added
-  std::vector<std::uint64_t> corners_;  ///< hashes of its vertices
+  std::vector<std::uint64_t> corners_;  ///< hashes of the vertices of the list that is added
 };
 
 /// Adds a rectangle, with those that it meets in one that holds them all.
@@ -141,9 +140,10 @@ std::vector<PixelRect> runs_of(const std::vector<bool>& changed, const Grid& gri
 
 }  // namespace
 
-std::vector<PixelRect> FrameChanges::follow(const ImDrawData& data) {
+std::vector<PixelRect> FrameChanges::follow(const ImDrawData& data,
+                                            const std::vector<TriangleRects>& triangles) {
   const PixelRect frame = frame_of(data);
-  std::vector<std::uint64_t> before = std::exchange(tiles_, TileHashes(data, frame).take());
+  std::vector<std::uint64_t> before = std::exchange(tiles_, TileHashes(data, triangles, frame).take());
   if (std::exchange(frame_, frame) != frame || before.size() != tiles_.size()) return {frame};
   std::vector<bool> changed(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) changed[i] = tiles_[i] != before[i];

@@ -15,7 +15,8 @@ namespace patina {
 class FrameChanges {
  public:
   /// Disjoint rectangles outside of which the frame is as the one was that was asked about last.
-  std::vector<PixelRect> follow(const ImDrawData& data);
+  /// @param triangles  triangles_of(data)
+  std::vector<PixelRect> follow(const ImDrawData& data, const std::vector<TriangleRects>& triangles);
 
  private:
   PixelRect frame_;

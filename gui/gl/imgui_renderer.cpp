@@ -71,6 +71,7 @@ void ImguiRenderer::begin(const ImDrawData& data) const {
 }
 
 std::vector<ImguiRenderer::Step> ImguiRenderer::steps_of(const ImDrawData& data, const ImDrawList& list,
+                                                         const TriangleRects& triangles,
                                                          const PixelRect& part) {
   constexpr float kLargeFill = 2000;  // pixels that are worth a draw call more
   const ImTextureID fonts = ImGui::GetIO().Fonts->TexID;
@@ -88,7 +89,7 @@ std::vector<ImguiRenderer::Step> ImguiRenderer::steps_of(const ImDrawData& data,
       first = kept_.size();
     };
     for (unsigned i = command.IdxOffset; i + 3 <= end; i += 3) {
-      if (common_part(triangles_[i / 3], clip).empty()) continue;
+      if (common_part(triangles[i / 3], clip).empty()) continue;
       const ImDrawIdx* triangle = list.IdxBuffer.Data + i;
       const bool may_fill = command.GetTexID() == fonts && i + 6 <= end;
       const auto fill = may_fill ? opaque_fill(list, command, i, white) : std::nullopt;
@@ -106,9 +107,7 @@ std::vector<ImguiRenderer::Step> ImguiRenderer::steps_of(const ImDrawData& data,
   return steps;
 }
 
-void ImguiRenderer::draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part) {
-  const std::vector<Step> steps = steps_of(data, list, part);
-  if (steps.empty()) return;
+void ImguiRenderer::draw(const ImDrawData& data, const std::vector<Step>& steps) {
   indices_.assign(std::as_bytes(std::span(kept_)));
   blend_straight(gl_);
   for (const Step& step : steps) {
@@ -136,16 +135,22 @@ std::vector<PixelRect> ImguiRenderer::draw_changes(const ImDrawData& data) {
   const PixelRect frame = frame_of(data);
   if (!canvas_ || canvas_->width() != frame.width || canvas_->height() != frame.height)
     canvas_.emplace(gl_, frame.width, frame.height);
-  std::vector<PixelRect> parts = changes_.follow(data);
+  const std::vector<TriangleRects> triangles = triangles_of(data);
+  std::vector<PixelRect> parts = changes_.follow(data, triangles);
   if (parts.empty()) return parts;
   canvas_->bind();
   begin(data);
   for (const PixelRect& part : parts) clear(gl_, part, IM_COL32_BLACK);
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& list = *data.CmdLists[n];
-    vertices_.assign(std::as_bytes(std::span(list.VtxBuffer.begin(), list.VtxBuffer.end())));
-    triangles_ = pixels_near_triangles(data, list);
-    for (const PixelRect& part : parts) draw(data, list, part);
+    bool sent = false;
+    for (const PixelRect& part : parts) {
+      const std::vector<Step> steps = steps_of(data, list, triangles[static_cast<std::size_t>(n)], part);
+      if (steps.empty()) continue;
+      if (!std::exchange(sent, true))
+        vertices_.assign(std::as_bytes(std::span(list.VtxBuffer.begin(), list.VtxBuffer.end())));
+      draw(data, steps);
+    }
   }
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_BLEND);
@@ -161,10 +166,10 @@ void ImguiRenderer::render(const ImDrawData& data) {
   for (const PixelRect& part : changed) canvas_->copy_to_window(part);
 }
 
-void add_premultiplied_image(ImDrawList& list, ImTextureID texture, ImVec2 top_left, ImVec2 bottom_right) {
-  list.AddCallback(premultiplied_mark, nullptr);
-  list.AddImage(texture, top_left, bottom_right);
-  list.AddCallback(straight_mark, nullptr);
+PremultipliedImages::PremultipliedImages(ImDrawList& list) : list_(list) {
+  list_.AddCallback(premultiplied_mark, nullptr);
 }
+
+PremultipliedImages::~PremultipliedImages() { list_.AddCallback(straight_mark, nullptr); }
 
 }  // namespace patina

@@ -35,22 +35,32 @@ class ImguiRenderer {
     std::optional<ImU32> fill;  ///< to clear the clip rectangle to
   };
   std::vector<PixelRect> draw_changes(const ImDrawData& data);  ///< @return where
-  std::vector<Step> steps_of(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
-  void draw(const ImDrawData& data, const ImDrawList& list, const PixelRect& part);
+  std::vector<Step> steps_of(const ImDrawData& data, const ImDrawList& list, const TriangleRects& triangles,
+                             const PixelRect& part);
+  void draw(const ImDrawData& data, const std::vector<Step>& steps);
 
   const Gl& gl_;
   Program program_;
   VertexArray layout_;
   Buffer vertices_, indices_;
   std::optional<Texture> fonts_;
-  std::vector<PixelRect> triangles_;  ///< of the list that is drawn
-  std::vector<ImDrawIdx> kept_;       ///< indices of those that touch the part that is drawn
+  std::vector<ImDrawIdx> kept_;  ///< indices of the triangles that touch the part that is drawn
   FrameChanges changes_;
   std::optional<Framebuffer> canvas_;  ///< the last frame
   bool window_lost_ = true;
 };
 
-/// Adds an image whose colours are already multiplied by their opacity, as a PointRenderer makes them.
-void add_premultiplied_image(ImDrawList& list, ImTextureID texture, ImVec2 top_left, ImVec2 bottom_right);
+/// While it lives, images that are added to a list are those whose colours are already multiplied by their
+/// opacity.
+class PremultipliedImages {
+ public:
+  explicit PremultipliedImages(ImDrawList& list);
+  ~PremultipliedImages();
+  PremultipliedImages(const PremultipliedImages&) = delete;
+  PremultipliedImages& operator=(const PremultipliedImages&) = delete;
+
+ private:
+  ImDrawList& list_;
+};
 
 }  // namespace patina

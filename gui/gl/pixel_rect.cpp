@@ -33,14 +33,16 @@ PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high) {
   return {left, top, right - left, bottom - top};
 }
 
-std::vector<PixelRect> pixels_near_triangles(const ImDrawData& data, const ImDrawList& list) {
+namespace {
+
+TriangleRects triangles_of(const ImDrawData& data, const ImDrawList& list) {
   constexpr int kMargin = 2;  // of rounding, and of casts, which round towards 0
   const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
   const auto pixel = [](float at) {
     constexpr float kFar = 1e6f;  // pixels; what lies beyond is on no screen
     return static_cast<int>(std::clamp(at, -kFar, kFar));
   };
-  std::vector<PixelRect> rects(static_cast<std::size_t>(list.IdxBuffer.Size / 3));
+  TriangleRects rects(static_cast<std::size_t>(list.IdxBuffer.Size / 3));
   for (const ImDrawCmd& command : list.CmdBuffer) {
     const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
     for (unsigned i = command.IdxOffset; i + 3 <= command.IdxOffset + command.ElemCount; i += 3) {
@@ -54,6 +56,14 @@ std::vector<PixelRect> pixels_near_triangles(const ImDrawData& data, const ImDra
     }
   }
   return rects;
+}
+
+}  // namespace
+
+std::vector<TriangleRects> triangles_of(const ImDrawData& data) {
+  std::vector<TriangleRects> all;
+  for (int n = 0; n < data.CmdListsCount; ++n) all.push_back(triangles_of(data, *data.CmdLists[n]));
+  return all;
 }
 
 }  // namespace patina

@@ -33,7 +33,9 @@ PixelRect clip_of(const ImDrawData& data, const ImDrawCmd& command);
 /// The pixels whose middles lie inside, which are those that two triangles would cover.
 PixelRect pixels_of(const ImDrawData& data, ImVec2 low, ImVec2 high);
 
-/// Those that each triangle of a list may touch, rounding included: that of the indices from 3 i on is i.
-std::vector<PixelRect> pixels_near_triangles(const ImDrawData& data, const ImDrawList& list);
+/// What each triangle of a list may touch, rounding included: that of the indices from 3 i on is i.
+using TriangleRects = std::vector<PixelRect>;
+
+std::vector<TriangleRects> triangles_of(const ImDrawData& data);  ///< of each list
 
 }  // namespace patina

@@ -1,7 +1,10 @@
 #include "gui/gl/point_renderer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "gui/gl/imgui_renderer.h"
 
 namespace patina {
 namespace {
@@ -13,6 +16,9 @@ struct Vertex {
 };
 
 constexpr float kDimmedOpacity = 0.25f;
+constexpr int kTile = 64;  // pixels
+
+int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 std::uint32_t dimmed(std::uint32_t color) {
   const auto alpha =
@@ -59,6 +65,7 @@ void PointRenderer::set_view(const PlotWindow& window, int width, int height) {
   stale_ = true;
   if (!resized) return;
   target_.emplace(gl_, width, height, TextureFilter::nearest);
+  tiles_.resize(static_cast<std::size_t>(tiles_across(width) * tiles_across(height)));
   density_picture_.reset();
 }
 
@@ -91,6 +98,8 @@ bool PointRenderer::render() {
   }
   const auto fresh = std::span<const PlotPoint>(points_).subspan(drawn_);
   shows_density() ? draw_density(fresh) : draw_points(fresh);
+  if (stale_ || shows_density())
+    touch(0, 0, static_cast<float>(target_->width()), static_cast<float>(target_->height()));
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   drawn_ = points_.size();
   stale_ = false;
@@ -114,6 +123,8 @@ void PointRenderer::draw_points(std::span<const PlotPoint> fresh) {
   gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
   gl_.Disable(GL_PROGRAM_POINT_SIZE);
   gl_.Disable(GL_BLEND);
+  const float reach = 0.5f * style_.diameter + 1;
+  for (const Vertex& at : vertices) touch(at.x - reach, at.y - reach, at.x + reach, at.y + reach);
 }
 
 void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
@@ -135,6 +146,35 @@ void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
   gl_.Uniform1f(density_program_.location("cell"), DensityGrid::kCellPixels);
   empty_.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PointRenderer::touch(float left, float top, float right, float bottom) {
+  const int columns = tiles_across(target_->width()), rows = tiles_across(target_->height());
+  const auto tile = [](float pixel, int count) {
+    return std::clamp(static_cast<int>(pixel) / kTile, 0, count - 1);
+  };
+  for (int row = tile(top, rows); row <= tile(bottom, rows); ++row)
+    for (int column = tile(left, columns); column <= tile(right, columns); ++column)
+      tiles_[static_cast<std::size_t>(row * columns + column)] = target_->texture().imgui_id();
+}
+
+void PointRenderer::show(ImDrawList& list, ImVec2 top_left, ImVec2 bottom_right) const {
+  const PremultipliedImages premultiplied(list);
+  const int columns = tiles_across(target_->width()), rows = tiles_across(target_->height());
+  const auto in_texture = [&](int column, int row) {
+    return ImVec2{std::min(1.0f, static_cast<float>(column * kTile) / static_cast<float>(target_->width())),
+                  std::min(1.0f, static_cast<float>(row * kTile) / static_cast<float>(target_->height()))};
+  };
+  const auto on_screen = [&](ImVec2 uv) {
+    return ImVec2{std::lerp(top_left.x, bottom_right.x, uv.x), std::lerp(top_left.y, bottom_right.y, uv.y)};
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const ImVec2 low = in_texture(column, row), high = in_texture(column + 1, row + 1);
+      list.AddImage(tiles_[static_cast<std::size_t>(row * columns + column)], on_screen(low), on_screen(high),
+                    low, high);
+    }
+  }
 }
 
 }  // namespace patina

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -45,9 +47,10 @@ class PointRenderer {
   /// Draws what is new, if anything; returns whether the texture changed. set_view() comes first.
   bool render();
 
-  /// Transparent where there is nothing; premultiplied: show it by add_premultiplied_image().
-  const Texture& texture() const { return target_->texture(); }
-  Image read() const { return target_->read(); }
+  /// Adds the texture to a list, transparent where there is nothing. It is added in tiles, so that a frame
+  /// with some points more differs from the last only around them.
+  void show(ImDrawList& list, ImVec2 top_left, ImVec2 bottom_right) const;
+  Image read() const { return target_->read(); }  ///< premultiplied
 
   bool shows_density() const { return points_.size() > style_.density_above; }
   /// Points in all cells of the density map: those in view.
@@ -56,6 +59,7 @@ class PointRenderer {
  private:
   void draw_points(std::span<const PlotPoint> fresh);
   void draw_density(std::span<const PlotPoint> fresh);
+  void touch(float left, float top, float right, float bottom);  ///< has been drawn into
 
   const Gl& gl_;
   PointStyle style_;
@@ -69,6 +73,7 @@ class PointRenderer {
   DensityGrid density_;
   std::optional<Texture> density_picture_;
   std::optional<Framebuffer> target_;
+  std::vector<ImTextureID> tiles_;  ///< the texture when each was drawn into last; rows from the top
 };
 
 }  // namespace patina

@@ -133,8 +133,10 @@ void MatrixPlot::draw_cells(const ExplorerModel& model, const PairGrids::Part& p
     list.AddRectFilled({first.left, first.top}, {last.left + last.width, last.top + last.height},
                        theme::kWell);
   }
-  add_premultiplied_image(list, atlas_->imgui_id(), corner_,
-                          {corner_.x + count * cell_.x, corner_.y + count * cell_.y});
+  {
+    const PremultipliedImages premultiplied(list);
+    list.AddImage(atlas_->imgui_id(), corner_, {corner_.x + count * cell_.x, corner_.y + count * cell_.y});
+  }
   for (std::size_t i = part.first_row; i < part.last_row; ++i) {
     const PlotView last = cell_view(i, i);
     const float right = last.left + last.width, bottom = last.top + last.height;

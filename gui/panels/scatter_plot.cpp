@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "gui/gl/imgui_renderer.h"
 #include "gui/panels/draw_hover.h"
 #include "gui/panels/marginal_bars.h"
 #include "gui/panels/plot_frame.h"
@@ -70,7 +69,7 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(corner, end, true);
   if (beneath) beneath(view_);
-  add_premultiplied_image(list, points_.texture().imgui_id(), corner, end);
+  points_.show(list, corner, end);
   if (model.shows_contours()) draw_contours(context.session);
   draw_marks(model);
   marking_.draw(view_);

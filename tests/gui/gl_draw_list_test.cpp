@@ -98,7 +98,10 @@ TEST_F(GlTest, PremultipliedImagesKeepTheirColourAndTheNextItemBlendsAsUsual) {
   const std::array<std::uint8_t, 4> half_white{128, 128, 128, 128};
   const Texture texture = Texture::rgba8(gl(), 1, 1, half_white, TextureFilter::nearest);
   const Image shot = frame([&](ImDrawList& list) {
-    add_premultiplied_image(list, texture.imgui_id(), {0, 0}, {16, 16});
+    {
+      const PremultipliedImages premultiplied(list);
+      list.AddImage(texture.imgui_id(), {0, 0}, {16, 16});
+    }
     list.AddImage(texture.imgui_id(), {32, 0}, {48, 16});
   });
   EXPECT_EQ(pixel(shot, 8, 8).red, 128);

@@ -9,6 +9,7 @@
 
 #include "gl_fixture.h"
 #include "gui/gl/frame_changes.h"
+#include "gui/gl/point_renderer.h"
 #include "gui/imgui_host.h"
 
 namespace patina {
@@ -81,7 +82,7 @@ TEST_F(FrameChangesTest, AreWhereSomethingChangedAndLittleMore) {
       list.AddRectFilled({0, 0}, {400, 300}, IM_COL32(20, 20, 20, 255));
       list.AddRectFilled({x, 200}, {x + 10, 210}, IM_COL32_WHITE);
     });
-    return changes.follow(*ImGui::GetDrawData());
+    return changes.follow(*ImGui::GetDrawData(), triangles_of(*ImGui::GetDrawData()));
   };
   ASSERT_EQ(follow(40), (std::vector<PixelRect>{{0, 0, 400, 300}})) << "before, there was none";
   EXPECT_TRUE(follow(40).empty());
@@ -93,6 +94,34 @@ TEST_F(FrameChangesTest, AreWhereSomethingChangedAndLittleMore) {
     const auto holds = [&](const PixelRect& rect) { return !common_part(rect, {x, 205, 1, 1}).empty(); };
     EXPECT_TRUE(std::ranges::any_of(moved, holds)) << x;
   }
+}
+
+TEST_F(FrameChangesTest, OfPointsThatArriveAreAroundThem) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  PointRenderer points(gl());
+  points.set_view({0, 1, 0, 1}, 390, 280);
+  FrameChanges changes;
+  const auto show = [&] {
+    points.render();
+    const Image shot = frame([&](ImDrawList& list) { points.show(list, {5, 10}, {395, 290}); });
+    EXPECT_EQ(shot.pixels, drawn_anew().pixels) << points.size();
+    return changes.follow(*ImGui::GetDrawData(), triangles_of(*ImGui::GetDrawData()));
+  };
+  show();
+  for (int step = 0; step < 40; ++step) {
+    const auto color = static_cast<ImU32>(random()) | IM_COL32_A_MASK;
+    const PlotPoint fresh{anywhere(random), anywhere(random), color, false};
+    points.append({&fresh, 1});
+    std::int64_t area = 0;
+    for (const PixelRect& rect : show()) area += std::int64_t{rect.width} * rect.height;
+    EXPECT_GT(area, 0);
+    EXPECT_LE(area, 192 * 192) << "four tiles of the cloud at most, and what they meet of the screen's";
+  }
+  points.set_view({0, 2, 0, 1}, 390, 280);
+  std::int64_t area = 0;
+  for (const PixelRect& rect : show()) area += std::int64_t{rect.width} * rect.height;
+  EXPECT_GT(area, 380 * 270) << "another view is another picture everywhere";
 }
 
 }  // namespace
