@@ -120,7 +120,10 @@ void ParameterTableView::follow(const Session& session) {
     histograms_ = ParameterHistograms(material, ranges_);
     run_version_ = session.run_version();
     material_ = material.material;
+    has_bars_ = false;
   }
+  // A live run asks for a frame soon enough to take in what is left out here.
+  if (has_run && has_bars_ && !behind_ && session.is_live() && !pace_.due()) return;
   behind_ = has_run && !histograms_.follow(session.model().draws(), kMost);
   has_bars_ = has_run && histograms_.total() > 0;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/run/summarize.h"
+#include "gui/pace.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/prior_editor.h"
 #include "gui/parameter_histograms.h"
@@ -39,6 +40,7 @@ class ParameterTableView {
   int run_version_ = -1;
   std::string material_;
   ParameterHistograms histograms_;
+  Pace pace_;
   std::vector<PlotRange> ranges_;
   bool behind_ = false;
   bool has_bars_ = false;  ///< they are of the parameters in the table

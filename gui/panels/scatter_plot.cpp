@@ -63,7 +63,7 @@ void ScatterPlot::draw(const PanelContext& context, const Rect& rect, const Plot
   place_plot(rect);
   follow_draws(context.session, subject);
   send_points(model);
-  count_bars(model);
+  count_bars(context.session);
   draw_plot_ground(view_, model.table(), subject.x, subject.y);
   const ImVec2 corner{view_.left, view_.top}, end{view_.left + view_.width, view_.top + view_.height};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -165,7 +165,8 @@ void ScatterPlot::append_points(const ExplorerModel& model) {
   points_.append(points);
 }
 
-void ScatterPlot::count_bars(const ExplorerModel& model) {
+void ScatterPlot::count_bars(const Session& session) {
+  const ExplorerModel& model = session.model();
   const float width = kBarWidth * ImGui::GetFontSize();
   const int columns = std::max(1, static_cast<int>(view_.width / width)),
             rows = std::max(1, static_cast<int>(view_.height / width));
@@ -176,6 +177,9 @@ void ScatterPlot::count_bars(const ExplorerModel& model) {
     counted_ = 0;
   }
   const DrawColumns& draws = model.draws();
+  // A live run asks for a frame soon enough to count what is left out here.
+  const bool more = counted_ > 0 && counted_ < draws.size();
+  if (more && session.is_live() && !bar_pace_.due()) return;
   for (; counted_ < draws.size(); ++counted_) {
     if (!model.in_answer(counted_)) continue;
     const bool marked = contents_.marked.contains(counted_);

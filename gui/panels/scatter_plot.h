@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -9,6 +9,7 @@
 #include "gui/draw_colours.h"
 #include "gui/gl/point_renderer.h"
 #include "gui/histogram.h"
+#include "gui/pace.h"
 #include "gui/panels/marking_cursor.h"
 #include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
@@ -46,7 +47,7 @@ class ScatterPlot {
   /// The draw that will be selected if the mouse button that is down comes up where it is.
   std::optional<std::size_t> held() const { return held_; }
   bool shows_density() const { return points_.shows_density(); }
-  bool behind() const { return behind_; }  ///< draws have come that are not shown yet
+  bool behind() const { return behind_; }                  ///< draws have come that are not shown yet
   bool redrew_density() const { return redrew_density_; }  ///< in this frame
 
  private:
@@ -66,7 +67,7 @@ class ScatterPlot {
   void follow_draws(const Session& session, const PlotSubject& subject);
   void send_points(const ExplorerModel& model);
   void append_points(const ExplorerModel& model);
-  void count_bars(const ExplorerModel& model);
+  void count_bars(const Session& session);
   void draw_contours(const Session& session);
   void draw_marks(const ExplorerModel& model) const;
   void handle_mouse(Session& session, MarkingTool tool);
@@ -77,13 +78,14 @@ class ScatterPlot {
   PointRenderer points_;
   Contents contents_;
   PlotView view_;
-  bool following_ = true;    ///< the view follows the draws until the user moves it
-  bool had_draws_ = false;   ///< in the frame before
+  bool following_ = true;   ///< the view follows the draws until the user moves it
+  bool had_draws_ = false;  ///< in the frame before
   bool behind_ = false, redrew_density_ = false;
   Clock::time_point sent_at_;
   std::size_t sent_ = 0;     ///< draws given to the renderer
   std::size_t counted_ = 0;  ///< draws in the bars
   Histogram x_bars_, y_bars_;
+  Pace bar_pace_;
   CredibleRegions regions_;
   MarkingGesture marking_;
   MarkingCursor cursor_;
