@@ -46,7 +46,7 @@ foreach(part archive finite_evaluation ladder metric natural_spline philox rng s
 endforeach()
 patina_sanitized_test(run thread
   SOURCES ${thread_sources} ${engine}/run/warmup_meeting.cpp ${engine}/io/append_file.cpp ${engine}/io/file.cpp
-          io/chain_csv_readers_test.cpp
+          ${engine}/io/temporary_folder.cpp io/chain_csv_readers_test.cpp
   LIBRARIES Eigen3::Eigen OpenSSL::Crypto)
 
 # With the preset `sanitize`, minutes to compile: whole chains on a cheap density, killed and taken up again, out of
@@ -59,8 +59,8 @@ if(PATINA_SANITIZE)
   endforeach()
   foreach(sanitizer address thread)
     patina_sanitized_test(chains ${sanitizer}
-      SOURCES ${chain_sources} ${engine}/io/append_file.cpp ${engine}/io/file.cpp run/resume_test.cpp
-              run/disturbed_chains_test.cpp
+      SOURCES ${chain_sources} ${engine}/io/append_file.cpp ${engine}/io/file.cpp
+              ${engine}/io/temporary_folder.cpp run/resume_test.cpp run/disturbed_chains_test.cpp
       LIBRARIES Eigen3::Eigen lbfgs OpenSSL::Crypto ${TORCH_LIBRARIES} ${CMAKE_DL_LIBS})
   endforeach()
 

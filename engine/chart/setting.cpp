@@ -1,6 +1,7 @@
 #include "engine/chart/setting.h"
 
 #include <functional>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "engine/run/run_settings.h"
@@ -31,6 +32,11 @@ class Matrix {
     if (setting == settings_.front() || (target_.has_jagged && setting.refresh == 0)) return;
     setting.name = name;
     settings_.push_back(setting);
+  }
+
+  void add_refreshes(std::initializer_list<const char*> refreshes) {
+    for (const char* refresh : refreshes)
+      add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
   }
 
   void add_resolution(int divisor) {
@@ -64,8 +70,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   for (const char* kernel : {"mh", "mala", "nuts"})
     matrix.add<std::string>(kernel, &ChartSetting::kernel, kernel);
   matrix.add<std::string>("dense metric", &ChartSetting::metric, "dense");
-  for (const char* refresh : {"0.25", "0.75"})
-    matrix.add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
+  matrix.add_refreshes({"0.25", "0.75"});
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
   matrix.add_calibrated();
@@ -75,13 +80,12 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
 std::vector<ChartSetting> full(const ChartTarget& target) {
   Matrix matrix(target);
   add_kernels_and_metrics(matrix);
-  for (const char* refresh : {"0", "0.25", "0.5", "0.75", "0.9"})
-    matrix.add(std::string("refresh ") + refresh, &ChartSetting::refresh, std::stod(refresh));
+  matrix.add_refreshes({"0", "0.25", "0.5", "0.75", "0.9"});
   for (const char* length : {"0.6", "3"})
     matrix.add(std::string("path ") + length, &ChartSetting::path_length, std::stod(length));
   for (const int chains : {1, 2, 8})
     matrix.add(std::to_string(chains) + (chains == 1 ? " chain" : " chains"), &ChartSetting::chains, chains);
-  for (const int warmup : {300, 700, 3000})
+  for (const int warmup : {300, 700, 1500, 3000})
     matrix.add("warm-up " + std::to_string(warmup), &ChartSetting::warmup, warmup);
   for (const int divisor : {2, 4}) matrix.add_resolution(divisor);
   for (const char* summary : {"means", "rings", "gram"})

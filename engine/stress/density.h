@@ -3,30 +3,13 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "engine/sampling/function_density.h"
 #include "engine/sampling/sample.h"
 #include "engine/stress/scenario.h"
 
 namespace patina {
-
-/// A log density written as a function.
-class FunctionDensity final : public LogDensity {
- public:
-  using Function = std::function<Evaluation(const Position&)>;
-  FunctionDensity(Eigen::Index dimension, Function function, std::vector<int> levels = {})
-      : dimension_(dimension), function_(std::move(function)), levels_(std::move(levels)) {}
-
-  Eigen::Index dimension() const override { return dimension_; }
-  std::vector<int> discrete_levels() const override { return levels_; }
-  Evaluation evaluate(const Position& position) const override { return function_(position); }
-
- private:
-  Eigen::Index dimension_;
-  Function function_;
-  std::vector<int> levels_;
-};
 
 /// A posterior in prior-CDF coordinates, of which some quantities are known.
 struct KnownPosterior {

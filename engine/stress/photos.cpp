@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/io/photo.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/prior_transform.h"
@@ -16,7 +17,6 @@
 #include "engine/run/run.h"
 #include "engine/run/stopwatch.h"
 #include "engine/stress/scenarios.h"
-#include "engine/stress/scratch_folder.h"
 #include "engine/stress/spoil.h"
 
 namespace patina {
@@ -114,7 +114,7 @@ Evidence try_photo(const Case& posed, const Attempt& attempt) {
   Photo photo;
   photo.image = posed.photo;
   photo.original_width = photo.original_height = posed.photo.width;
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const auto run = start_run(settings, photo, folder.path() / "run");
   Evidence evidence;
   evidence.summary = summarize_draws(run->table(), run_to_the_end(*run));

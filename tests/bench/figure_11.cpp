@@ -15,11 +15,11 @@
 #include "engine/chart/panel.h"
 #include "engine/chart/photo_problem.h"
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/run.h"
 #include "engine/run/run_checks.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

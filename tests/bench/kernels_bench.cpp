@@ -30,7 +30,7 @@ Eigen::MatrixXd autoregressive(Eigen::Index d, double correlation) {
 
 /// A correlated Gaussian truncated to the unit box, through the logit of each coordinate: means in the box,
 /// at its border and outside it, standard deviations 0.2, correlation 0.7 between neighbours.
-FunctionTarget truncated_gaussian(Eigen::Index d) {
+FunctionDensity truncated_gaussian(Eigen::Index d) {
   const Eigen::MatrixXd precision = (0.04 * autoregressive(d, 0.7)).inverse();
   Eigen::VectorXd mean(d);
   for (Eigen::Index i = 0; i < d; ++i) mean[i] = i % 3 == 0 ? 0.5 : i % 3 == 1 ? 1 : 1.1;
@@ -46,7 +46,7 @@ FunctionTarget truncated_gaussian(Eigen::Index d) {
 /// A prior N(0, I) in 13 dimensions, of which the photo determines eleven moderately and of two a curve
 /// alone: x0 + x1 + 0.3 (x0^2 - 1) to 0.25. As a bump's scale and height, they correlate by -0.94, along a
 /// bent ridge.
-FunctionTarget bent_ridge() {
+FunctionDensity bent_ridge() {
   constexpr double kError = 0.25;
   const Eigen::MatrixXd precision = (0.09 * autoregressive(11, 0.5)).inverse();
   return {

@@ -13,13 +13,13 @@
 
 #include "engine/io/chain_csv.h"
 #include "engine/io/file.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "engine/run/run_files.h"
 #include "engine/sampling/rng.h"
 #include "gui/app.h"
 #include "gui/offscreen_window.h"
 #include "tests/gui/fake_source.h"
-#include "tests/support/temporary_folder.h"
 
 extern "C" {
 const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";

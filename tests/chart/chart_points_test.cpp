@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/sampling/rng.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

@@ -10,8 +10,8 @@
 #include "engine/chart/waiting.h"
 #include "engine/error.h"
 #include "engine/io/file.h"
+#include "engine/io/temporary_folder.h"
 #include "tests/chart/gaussian_problem.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

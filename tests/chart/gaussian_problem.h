@@ -47,7 +47,7 @@ class GaussianProblem final : public ChartProblem {
     std::vector<int> counts;
     if (!levels_.empty()) counts.push_back(static_cast<int>(levels_.size()));
     std::vector<std::unique_ptr<LogDensity>> targets;
-    targets.push_back(std::make_unique<FunctionTarget>(3, evaluate, counts));
+    targets.push_back(std::make_unique<FunctionDensity>(3, evaluate, counts));
     return targets;
   }
 
@@ -87,7 +87,7 @@ class LenientKernel final : public Kernel {
  public:
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
-    const FunctionTarget flat(
+    const FunctionDensity flat(
         target.dimension(),
         [&](const Position& position) {
           Evaluation evaluation = target.evaluate(position);

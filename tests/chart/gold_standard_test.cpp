@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "tests/chart/autoregression.h"
 #include "tests/chart/gaussian_problem.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

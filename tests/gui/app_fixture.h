@@ -12,11 +12,11 @@
 
 #include "engine/error.h"
 #include "engine/io/image_file.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "gui/app.h"
 #include "gui/offscreen_window.h"
 #include "tests/gui/fake_source.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina::testing {
 

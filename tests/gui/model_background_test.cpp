@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "gui/background_source.h"
 #include "tests/gui/fake_source.h"
+#include "tests/support/comes_true.h"
 
 namespace patina {
 namespace {
@@ -50,12 +51,6 @@ class Portions final : public DrawSource {
   ParameterTable table_ = testing::small_table();
   Image photo_{8, 8, 3};
 };
-
-bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 2000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (condition()) return true;
-  return false;
-}
 
 TEST(BackgroundSource, HandsOnEveryDrawAPortionAtATimeAndThenSaysThatAllIsRead) {
   BackgroundSource source(std::make_unique<Portions>(20), {});

@@ -3,8 +3,8 @@
 #include "engine/chart/chart_row.h"
 #include "engine/error.h"
 #include "engine/io/file.h"
+#include "engine/io/temporary_folder.h"
 #include "gui/cost_chart.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

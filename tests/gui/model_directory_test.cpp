@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "gui/directory_listing.h"
 #include "gui/run_factory.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

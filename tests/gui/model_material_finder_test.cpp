@@ -6,15 +6,10 @@
 
 #include "engine/error.h"
 #include "gui/material_finder.h"
+#include "tests/support/comes_true.h"
 
 namespace patina {
 namespace {
-
-bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 2000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (condition()) return true;
-  return false;
-}
 
 /// A ranking that takes until it is told to end, or to stop.
 class SlowRanking : public ::testing::Test {

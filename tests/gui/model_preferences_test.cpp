@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "gui/preferences.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

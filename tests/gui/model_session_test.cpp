@@ -10,12 +10,12 @@
 
 #include "engine/error.h"
 #include "engine/io/image_file.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "gui/advice.h"
 #include "gui/session.h"
 #include "gui/shown_draw.h"
 #include "tests/gui/fake_source.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 namespace {

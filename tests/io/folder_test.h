@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "engine/error.h"
-#include "tests/support/temporary_folder.h"
+#include "engine/io/temporary_folder.h"
 
 namespace patina {
 

@@ -6,7 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/io/file.h"
-#include "tests/support/temporary_folder.h"
+#include "engine/io/temporary_folder.h"
 
 namespace patina {
 namespace {

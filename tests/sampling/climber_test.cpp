@@ -27,7 +27,7 @@ Climber exact_climber(const LogDensity& target, const std::vector<double>& betas
 
 /// worst_distance() after a step on a ladder, from exact draws of the rungs of another.
 double distance_after_a_step(const std::vector<double>& drawn_from, const std::vector<double>& betas) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   const auto kernel = make_hmc();
   std::vector<std::vector<double>> ends(2 * betas.size());
   Rng rng(203);
@@ -66,7 +66,7 @@ class Lazy final : public LogDensity {
   mutable int evaluations = 0;
 
  private:
-  FunctionTarget target_ = seen_with_an_error();
+  FunctionDensity target_ = seen_with_an_error();
 };
 
 TEST(Climber, keeps_a_gradient_that_was_made_for_a_move_that_is_rejected) {
@@ -108,7 +108,7 @@ TEST(Climber, counts_the_evaluations_of_all_rungs_and_has_the_energy_of_the_draw
 }
 
 TEST(Climber, alone_on_its_ladder_is_the_kernel_by_itself) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   const auto kernel = make_hmc();
   const auto metric = std::make_shared<const Metric>(0.1 * Eigen::Matrix2d::Identity());
   Rng rng(206), same(206);
@@ -130,7 +130,7 @@ TEST(Climber, alone_on_its_ladder_is_the_kernel_by_itself) {
 }
 
 TEST(Climber, goes_on_with_ladder_and_metrics_after_a_window_that_adapts_them_else_with_steps) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   Rng rng(207);
   Climber climber = exact_climber(target, {0, 0.3, 1}, 0.7, rng);
   const LadderSettings agreed{{0, 0.1, 1},

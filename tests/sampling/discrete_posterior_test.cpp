@@ -26,7 +26,7 @@ using Cells = std::array<double, kCells>;
 
 Eigen::Vector2d residual(int i, int j) { return {0.8 - 0.9 * i, -0.3 + 0.5 * j - 0.4 * i}; }
 
-FunctionTarget table_target() {
+FunctionDensity table_target() {
   return {
       2,
       [](const Position& position) {
@@ -59,7 +59,7 @@ Position exact_draw(Rng& rng) {
 /// averages are independent and unbiased whatever their autocorrelation.
 std::vector<double> z_scores(const Kernel& kernel) {
   constexpr int chains = 150, transitions = 400;
-  const FunctionTarget target = table_target();
+  const FunctionDensity target = table_target();
   const KernelSettings settings = settings_with(0.7, Eigen::MatrixXd::Identity(2, 2));
   std::vector<std::vector<double>> shares(kCells + 1, std::vector<double>(chains));
   for (int chain = 0; chain < chains; ++chain) {
@@ -107,7 +107,7 @@ TEST(DiscretePosterior, has_the_same_probabilities_when_one_coordinate_moves_at_
 }
 
 TEST(SingleDiscreteMove, proposes_another_level_of_one_coordinate_and_leaves_those_of_one_level_alone) {
-  const FunctionTarget flat(0, [](const Position&) { return Evaluation{0, Eigen::VectorXd(0)}; }, {1, 3, 2});
+  const FunctionDensity flat(0, [](const Position&) { return Evaluation{0, Eigen::VectorXd(0)}; }, {1, 3, 2});
   const auto kernel = make_single_discrete_move();
   Rng rng(43);
   ChainState state = state_at(flat, {Eigen::VectorXd(0), Eigen::Vector3i(0, 1, 0)});
@@ -133,7 +133,7 @@ TEST(DiscretePosterior, is_missed_by_lopsided_proposals) {
 }
 
 TEST(DiscretePosterior, the_mixture_moves_continuously_with_probability_alpha) {
-  const FunctionTarget target = table_target();
+  const FunctionDensity target = table_target();
   const auto kernel = make_kernel("mala", target, 0.8);
   Rng rng(42);
   ChainState state = state_at(target, exact_draw(rng));

@@ -22,7 +22,7 @@ namespace {
 
 /// A target, and the logarithm of its evidence.
 struct Known {
-  FunctionTarget target;
+  FunctionDensity target;
   double log_evidence;
 };
 
@@ -89,7 +89,7 @@ Known with_levels() {
 
 SequentialSettings quick(std::uint64_t seed) { return {.islands = 4, .particles = 128, .seed = seed}; }
 
-LogEvidence sequential(const FunctionTarget& target, const std::string& kernel, std::uint64_t seed) {
+LogEvidence sequential(const FunctionDensity& target, const std::string& kernel, std::uint64_t seed) {
   return sample_sequentially(target, *make_kernel(kernel, target, 0.7, 0.25), quick(seed)).evidence;
 }
 
@@ -189,7 +189,7 @@ TEST(SequentialEvidence, does_not_depend_on_the_threads) {
 }
 
 TEST(SequentialEvidence, refuses_a_target_without_support) {
-  const FunctionTarget nowhere(2, [](const Position&) {
+  const FunctionDensity nowhere(2, [](const Position&) {
     return Evaluation{-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(2)};
   });
   EXPECT_THROW(sample_sequentially(nowhere, *make_kernel("mh", nowhere, 1), quick(1)), std::invalid_argument);

@@ -54,7 +54,7 @@ TEST(Hmc, leaves_a_place_too_narrow_for_its_step_when_some_trajectories_are_care
 
 TEST(Hmc, counts_its_evaluations) {
   int evaluations = 0;
-  const FunctionTarget target(1, [&](const Position& position) {
+  const FunctionDensity target(1, [&](const Position& position) {
     ++evaluations;
     return Evaluation{-0.5 * position.continuous.squaredNorm(), -position.continuous};
   });
@@ -72,7 +72,7 @@ TEST(Hmc, counts_its_evaluations) {
 
 TEST(Hmc, breaks_off_where_the_energy_has_risen_beyond_any_acceptance) {
   int evaluations = 0;
-  const FunctionTarget cliff(1, [&](const Position& position) {
+  const FunctionDensity cliff(1, [&](const Position& position) {
     ++evaluations;
     const double x = position.continuous[0];
     return Evaluation{std::abs(x) < 1 ? 0 : -1e6, Eigen::VectorXd::Zero(1)};

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// N(0, 1) on one half line; on the other an evaluation that a kernel must never accept.
-FunctionTarget half_broken(double log_density, double gradient) {
+FunctionDensity half_broken(double log_density, double gradient) {
   return {1, [=](const Position& position) {
             const Eigen::VectorXd& x = position.continuous;
             if (x[0] > 0) return Evaluation{log_density, Eigen::VectorXd::Constant(1, gradient)};
@@ -31,7 +31,7 @@ TEST(Kernel, never_accepts_what_is_not_finite_and_says_so) {
   for (const std::string& name : kernel_names())
     for (const auto& [value, gradient] :
          {std::pair{kNaN, 0.0}, {kInfinity, 0.0}, {-kInfinity, 0.0}, {0.0, kNaN}, {0.0, kInfinity}}) {
-      const FunctionTarget target = half_broken(value, gradient);
+      const FunctionDensity target = half_broken(value, gradient);
       const auto kernel = make_kernel(name, target, 1);
       const KernelSettings settings = settings_with(1.5, Eigen::MatrixXd::Identity(1, 1));
       Rng rng(51);
@@ -62,7 +62,7 @@ TEST(MetropolisStep, never_accepts_a_ratio_that_is_not_a_number_nor_one_place_wi
 }
 
 TEST(Kernel, never_accepts_a_level_without_density) {
-  const FunctionTarget target(
+  const FunctionDensity target(
       1,
       [](const Position& p) {
         return Evaluation{p.discrete[0] == 0 ? -0.5 * p.continuous.squaredNorm() : kNaN, -p.continuous};
@@ -126,7 +126,7 @@ TEST(Kernel, evaluates_no_point_twice_counts_all_and_keeps_the_one_of_where_it_i
   for (const std::string& name : kernel_names()) {
     std::set<std::vector<double>> seen;
     int evaluations = 0, counted = 0;
-    const FunctionTarget target(3, [&](const Position& p) {
+    const FunctionDensity target(3, [&](const Position& p) {
       ++evaluations;
       EXPECT_TRUE(seen.emplace(p.continuous.begin(), p.continuous.end()).second) << name;
       return gaussian.evaluate(p);
@@ -142,7 +142,7 @@ TEST(Kernel, evaluates_no_point_twice_counts_all_and_keeps_the_one_of_where_it_i
 }
 
 TEST(Kernel, leaves_a_start_without_density_as_soon_as_it_finds_some) {
-  const FunctionTarget target = half_broken(-kInfinity, 0);
+  const FunctionDensity target = half_broken(-kInfinity, 0);
   for (const std::string& name : kernel_names()) {
     const auto kernel = make_kernel(name, target, 1);
     Rng rng(55);
@@ -172,7 +172,7 @@ TEST(Kernel, lets_what_a_target_throws_pass_and_stays_where_it_was) {
   for (const std::string& name : kernel_names())
     for (const int last : {0, 1, 2}) {
       int evaluations = 0;
-      const FunctionTarget target(1, [&](const Position& p) {
+      const FunctionDensity target(1, [&](const Position& p) {
         if (evaluations++ == last) throw std::runtime_error("no device");
         return gaussian.evaluate(p);
       });
@@ -212,7 +212,11 @@ TEST(MakeKernel, knows_its_names_and_refuses_others) {
 }
 
 TEST(MakeKernel, mixes_in_discrete_moves_only_where_there_are_levels) {
-  const FunctionTarget levels_only(0, [](const Position&) { return Evaluation{0, Eigen::VectorXd(0)}; }, {4});
+  const FunctionDensity levels_only(0,
+                                    [](const Position&) {
+                                      return Evaluation{0, Eigen::VectorXd(0)};
+                                    },
+                                    {4});
   Rng rng(59);
   ChainState state = state_at(levels_only, {Eigen::VectorXd(0), Eigen::VectorXi::Zero(1)});
   const auto kernel = make_kernel("mala", levels_only, 0.9);

@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Two narrow modes far apart, under the prior N(0, I): at level 0 at -1.5 everywhere, at level 1 at `offset`
 /// + 1.5 and taller by 5. The second discrete coordinate is worth 2 at level 3.
-FunctionTarget two_modes(double offset = 0) {
+FunctionDensity two_modes(double offset = 0) {
   return {
       3,
       [=](const Position& position) {
@@ -31,7 +31,7 @@ FunctionTarget two_modes(double offset = 0) {
 }
 
 TEST(SearchMap, finds_the_taller_of_two_modes_and_the_best_levels) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   for (const int seed : {1, 2, 3, 4, 5}) {
     Rng rng(seed);
     const MapSearchResult found = search_map({&target}, rng);
@@ -59,7 +59,7 @@ TEST(SearchMap, walks_along_jagged_coordinates_where_no_gradient_leads) {
 }
 
 TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   MapSearchSettings settings;
   settings.prior_draws = 0;
   settings.finalists = 1;
@@ -70,7 +70,7 @@ TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
 }
 
 /// Its needle is where no draw of the prior comes near enough to climb it.
-FunctionTarget needle() {
+FunctionDensity needle() {
   return {2, [](const Position& position) {
             const Eigen::VectorXd& x = position.continuous;
             const Eigen::VectorXd apart = x.array() - 4;
@@ -80,7 +80,7 @@ FunctionTarget needle() {
 }
 
 TEST(SearchMap, looks_where_it_is_told_to_as_well) {
-  const FunctionTarget target = needle();
+  const FunctionDensity target = needle();
   MapSearchSettings settings;
   Rng without(1), with(1);
   EXPECT_LT(search_map({&target}, without, settings).best.evaluation.log_density, 1);
@@ -89,7 +89,7 @@ TEST(SearchMap, looks_where_it_is_told_to_as_well) {
 }
 
 TEST(SearchMap, ends_on_the_finest_target) {
-  const FunctionTarget coarse = two_modes(0.2), fine = two_modes(0);
+  const FunctionDensity coarse = two_modes(0.2), fine = two_modes(0);
   Rng rng(6);
   const MapSearchResult found = search_map({&coarse, &fine}, rng);
   EXPECT_TRUE(found.best.position.continuous.isApprox(Eigen::VectorXd::Constant(3, 150.0 / 101), 1e-3));
@@ -97,7 +97,7 @@ TEST(SearchMap, ends_on_the_finest_target) {
 }
 
 TEST(SearchMap, returns_distinct_basins_best_first) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   Rng rng(7);
   MapSearchSettings settings;
   settings.finalists = 3;
@@ -112,7 +112,7 @@ TEST(SearchMap, returns_distinct_basins_best_first) {
 }
 
 TEST(SearchMap, is_decided_by_its_seed) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   Rng first(8), second(8);
   EXPECT_EQ(search_map({&target}, first).best.position.continuous,
             search_map({&target}, second).best.position.continuous);
@@ -120,7 +120,7 @@ TEST(SearchMap, is_decided_by_its_seed) {
 }
 
 TEST(SearchMap, finds_the_same_on_any_number_of_threads) {
-  const FunctionTarget coarse = two_modes(0.2), fine = two_modes(0);
+  const FunctionDensity coarse = two_modes(0.2), fine = two_modes(0);
   const auto found_by = [&](int threads) {
     MapSearchSettings settings;
     settings.threads = threads;
@@ -135,7 +135,7 @@ TEST(SearchMap, finds_the_same_on_any_number_of_threads) {
 }
 
 TEST(SearchMap, passes_on_what_a_target_throws_on_any_thread) {
-  const FunctionTarget broken{
+  const FunctionDensity broken{
       2, [](const Position&) -> Evaluation { throw std::runtime_error("no device"); }, {}};
   MapSearchSettings settings;
   settings.threads = 3;
@@ -144,7 +144,7 @@ TEST(SearchMap, passes_on_what_a_target_throws_on_any_thread) {
 }
 
 TEST(SearchMap, reports_progress_from_nothing_to_all_and_a_best_that_is_where_it_says) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   std::vector<double> fractions;
   MapSearchSettings settings;
   settings.progress = [&](double fraction, const Position& best, double log_density) {
@@ -160,17 +160,17 @@ TEST(SearchMap, reports_progress_from_nothing_to_all_and_a_best_that_is_where_it
 }
 
 TEST(SearchMap, stops_within_one_iteration_and_still_answers_for_the_finest_target) {
-  const FunctionTarget fine = two_modes(), shifted = two_modes(0.2);
+  const FunctionDensity fine = two_modes(), shifted = two_modes(0.2);
   for (const int allowed : {0, 1, 30, 66, 80, 150}) {
     bool stop = allowed == 0;
     int coarse_evaluations = 0, late = 0;
-    const FunctionTarget coarse(3,
-                                [&](const Position& position) {
-                                  late += stop;
-                                  stop = stop || ++coarse_evaluations >= allowed;
-                                  return shifted.evaluate(position);
-                                },
-                                {2, 4});
+    const FunctionDensity coarse(3,
+                                 [&](const Position& position) {
+                                   late += stop;
+                                   stop = stop || ++coarse_evaluations >= allowed;
+                                   return shifted.evaluate(position);
+                                 },
+                                 {2, 4});
     MapSearchSettings settings;
     settings.stop_requested = [&] { return stop; };
     Rng rng(10);
@@ -181,7 +181,7 @@ TEST(SearchMap, stops_within_one_iteration_and_still_answers_for_the_finest_targ
 }
 
 TEST(SearchMap, copes_with_candidates_without_density) {
-  const FunctionTarget narrow(2, [](const Position& position) {
+  const FunctionDensity narrow(2, [](const Position& position) {
     const Eigen::VectorXd& x = position.continuous;
     if (x[0] < 0.5) return Evaluation{-kInfinity, Eigen::VectorXd::Zero(2)};
     return Evaluation{-0.5 * x.squaredNorm(), -x};
@@ -192,11 +192,11 @@ TEST(SearchMap, copes_with_candidates_without_density) {
 }
 
 TEST(SearchMap, returns_the_priors_mode_where_nothing_has_density) {
-  const FunctionTarget nowhere(2,
-                               [](const Position&) {
-                                 return Evaluation{-kInfinity, Eigen::VectorXd::Zero(2)};
-                               },
-                               {3});
+  const FunctionDensity nowhere(2,
+                                [](const Position&) {
+                                  return Evaluation{-kInfinity, Eigen::VectorXd::Zero(2)};
+                                },
+                                {3});
   Rng rng(12);
   const MapSearchResult found = search_map({&nowhere, &nowhere}, rng);
   EXPECT_EQ(found.best.position.continuous, Eigen::VectorXd::Zero(2));
@@ -210,7 +210,7 @@ TEST(LaplaceCovariance, of_a_gaussian_is_its_covariance) {
 }
 
 TEST(LaplaceCovariance, is_floored_where_the_density_is_flat_or_curves_up) {
-  const FunctionTarget saddle(2, [](const Position& position) {
+  const FunctionDensity saddle(2, [](const Position& position) {
     const Eigen::VectorXd& x = position.continuous;
     return Evaluation{x[0] * x[0] - 0.5 * x[1] * x[1], Eigen::Vector2d(2 * x[0], -x[1])};
   });
@@ -219,7 +219,7 @@ TEST(LaplaceCovariance, is_floored_where_the_density_is_flat_or_curves_up) {
 }
 
 TEST(LaplaceCovariance, looks_to_one_side_at_the_edge_of_the_support) {
-  const FunctionTarget half(1, [](const Position& position) {
+  const FunctionDensity half(1, [](const Position& position) {
     const double x = position.continuous[0];
     if (x < 0) return Evaluation{-kInfinity, Eigen::VectorXd::Zero(1)};
     return Evaluation{-x - 2 * x * x, Eigen::VectorXd::Constant(1, -1 - 4 * x)};

@@ -45,12 +45,12 @@ TEST(Noise, is_the_sd_of_the_value) {
 
 TEST(Noise, outside_the_support_is_zero_and_now_and_then_outside_infinite) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const FunctionTarget never(2, [=](const Position&) {
+  const FunctionDensity never(2, [=](const Position&) {
     return Evaluation{-infinity, Eigen::Vector2d::Zero()};
   });
   EXPECT_EQ(value_noise(never, kPlace, 20), 0);
   int calls = 0;
-  const FunctionTarget at_times(2, [&](const Position&) {
+  const FunctionDensity at_times(2, [&](const Position&) {
     return Evaluation{++calls % 3 == 0 ? -infinity : 1.0, Eigen::Vector2d::Zero()};
   });
   EXPECT_EQ(value_noise(at_times, kPlace, 20), infinity);

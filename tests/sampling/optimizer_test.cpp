@@ -12,7 +12,7 @@ namespace patina {
 namespace {
 
 /// Minus Rosenbrock's valley (1960): a curved ridge with its top at (1, 1).
-FunctionTarget rosenbrock() {
+FunctionDensity rosenbrock() {
   return {2, [](const Position& position) {
             const double x = position.continuous[0], y = position.continuous[1], bend = y - x * x;
             return Evaluation{-(100 * bend * bend + (1 - x) * (1 - x)),
@@ -38,7 +38,7 @@ TEST(Maximize, follows_rosenbrocks_ridge_to_its_top) {
 
 TEST(Maximize, steps_back_from_where_there_is_no_density) {
   // log x - 10 x on x > 0 has its top at 0.1, a tenth of the first step's length away from nothing.
-  const FunctionTarget gamma(1, [](const Position& position) {
+  const FunctionDensity gamma(1, [](const Position& position) {
     const double x = position.continuous[0];
     if (x <= 0) return Evaluation{-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(1)};
     return Evaluation{std::log(x) - 10 * x, Eigen::VectorXd::Constant(1, 1 / x - 10)};
@@ -50,7 +50,7 @@ TEST(Maximize, steps_back_from_where_there_is_no_density) {
 }
 
 TEST(Maximize, returns_the_start_where_that_has_no_density) {
-  const FunctionTarget nowhere(2, [](const Position&) {
+  const FunctionDensity nowhere(2, [](const Position&) {
     return Evaluation{std::numeric_limits<double>::quiet_NaN(), Eigen::VectorXd::Ones(2)};
   });
   const OptimizerResult result = maximize(nowhere, {Eigen::Vector2d(1, 2), {}});
@@ -60,7 +60,7 @@ TEST(Maximize, returns_the_start_where_that_has_no_density) {
 }
 
 TEST(Maximize, never_returns_a_point_worse_than_the_start_even_if_the_gradient_lies) {
-  const FunctionTarget liar(2, [](const Position& position) {
+  const FunctionDensity liar(2, [](const Position& position) {
     return Evaluation{-position.continuous.squaredNorm(), 2 * position.continuous};
   });
   const Eigen::Vector2d start(1, 1);
@@ -70,7 +70,7 @@ TEST(Maximize, never_returns_a_point_worse_than_the_start_even_if_the_gradient_l
 }
 
 TEST(Maximize, reports_the_evaluation_of_the_point_it_returns) {
-  const FunctionTarget target = rosenbrock();
+  const FunctionDensity target = rosenbrock();
   OptimizerSettings settings;
   settings.max_iterations = 7;
   const OptimizerResult result = maximize(target, {Eigen::Vector2d(-1.2, 1), {}}, settings);
@@ -98,7 +98,7 @@ TEST(Maximize, stops_when_five_iterations_gained_too_little) {
 
 TEST(Maximize, lets_what_a_target_throws_pass) {
   int calls = 0;
-  const FunctionTarget target(1, [&](const Position& position) {
+  const FunctionDensity target(1, [&](const Position& position) {
     if (++calls == 3) throw std::runtime_error("no device");
     return Evaluation{-std::pow(position.continuous[0] - 9, 4),
                       Eigen::VectorXd::Constant(1, -4 * std::pow(position.continuous[0] - 9, 3))};
@@ -108,11 +108,11 @@ TEST(Maximize, lets_what_a_target_throws_pass) {
 }
 
 TEST(Maximize, keeps_discrete_coordinates_and_copes_with_none_continuous) {
-  const FunctionTarget levels(0,
-                              [](const Position& p) {
-                                return Evaluation{1.0 * p.discrete[0], Eigen::VectorXd(0)};
-                              },
-                              {4});
+  const FunctionDensity levels(0,
+                               [](const Position& p) {
+                                 return Evaluation{1.0 * p.discrete[0], Eigen::VectorXd(0)};
+                               },
+                               {4});
   const OptimizerResult result = maximize(levels, {Eigen::VectorXd(0), Eigen::VectorXi::Constant(1, 2)});
   EXPECT_EQ(result.position.discrete[0], 2);
   EXPECT_EQ(result.evaluation.log_density, 2);

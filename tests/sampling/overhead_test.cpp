@@ -19,7 +19,7 @@ bool same(const ChainState& a, const ChainState& b) {
 }
 
 /// Neal's funnel: its neck makes trajectories diverge.
-FunctionTarget funnel() {
+FunctionDensity funnel() {
   return {5, [](const Position& p) {
             const Eigen::VectorXd& x = p.continuous;
             const double v = x[0], precision = std::exp(-v), rest = x.tail(4).squaredNorm();

@@ -14,7 +14,7 @@ constexpr double kError = 0.3;
 inline const Eigen::Vector2d kSeen(1.5, -0.5);
 
 /// Prior N(0, I), seen with a Gaussian error: every tempered density is a Gaussian that is known.
-inline FunctionTarget seen_with_an_error() {
+inline FunctionDensity seen_with_an_error() {
   return {2, [](const Position& p) {
             const Eigen::VectorXd& x = p.continuous;
             const Eigen::VectorXd misfit = (x - kSeen) / (kError * kError);

@@ -203,7 +203,7 @@ TEST(FitStraightening, follows_a_kink_once_there_are_draws_enough) {
 
 /// A ridge bent as that of a height and a power whose product is seen where it does not clip: x0 ~ N(0, 1),
 /// x1 = max(x0, 0) + N(0, 0.05^2), in 8 dimensions.
-FunctionTarget bent_ridge() {
+FunctionDensity bent_ridge() {
   return {8, [](const Position& position) {
             const Eigen::VectorXd& x = position.continuous;
             const double sharp = 10, soft_max = std::log1p(std::exp(sharp * x[0])) / sharp;
@@ -217,7 +217,7 @@ FunctionTarget bent_ridge() {
 }
 
 TEST(Warmup, that_straightens_a_bent_ridge_makes_an_evaluation_worth_several) {
-  const FunctionTarget target = bent_ridge();
+  const FunctionDensity target = bent_ridge();
   const auto kernel = make_kernel("hmc", target, 1, 0.3);
   const auto worth = [&](MetricKind metric) {
     const Sample drawn = sample(target, *kernel, {.warmup = 500, .draws = 2000, .metric = metric});
@@ -229,7 +229,7 @@ TEST(Warmup, that_straightens_a_bent_ridge_makes_an_evaluation_worth_several) {
 }
 
 TEST(Straightened, energy_is_that_of_the_targets_own_density_whatever_the_map) {
-  const FunctionTarget target = bent_ridge();
+  const FunctionDensity target = bent_ridge();
   const auto walk = make_kernel("mh", target, 1, 0.3), hmc = make_kernel("hmc", target, 1);
   const SampleSettings settings{.warmup = 500, .draws = 200, .metric = MetricKind::curved};
   const Sample walked = sample(target, *walk, settings), travelled = sample(target, *hmc, settings);

@@ -4,12 +4,12 @@
 #include <Eigen/LU>
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "engine/sampling/chain_state.h"
+#include "engine/sampling/function_density.h"
 #include "engine/sampling/log_density.h"
 
 namespace patina {
@@ -31,24 +31,6 @@ class GaussianTarget final : public LogDensity {
  private:
   Eigen::VectorXd mean_;
   Eigen::MatrixXd precision_;
-};
-
-/// A log density written as a lambda.
-class FunctionTarget final : public LogDensity {
- public:
-  using Function = std::function<Evaluation(const Position&)>;
-
-  FunctionTarget(Eigen::Index dimension, Function function, std::vector<int> levels = {})
-      : dimension_(dimension), function_(std::move(function)), levels_(std::move(levels)) {}
-
-  Eigen::Index dimension() const override { return dimension_; }
-  std::vector<int> discrete_levels() const override { return levels_; }
-  Evaluation evaluate(const Position& position) const override { return function_(position); }
-
- private:
-  Eigen::Index dimension_;
-  Function function_;
-  std::vector<int> levels_;
 };
 
 /// N(mean, covariance) with wrinkles along its first coordinate, about a nat high and a thousandth wide, of

@@ -19,7 +19,7 @@ const Eigen::Vector3d kModes[] = {{-2, 0, 0}, {1.5, 1, 0}};
 constexpr double kWidth = 0.1, kWeights[] = {0.5, 0.5};
 
 /// A prior N(0, I), and a likelihood that is a sum of two narrow Gaussians far apart: so is the posterior.
-FunctionTarget two_modes() {
+FunctionDensity two_modes() {
   return {3, [](const Position& p) {
             const Eigen::Vector3d x = p.continuous;
             double logs[2];
@@ -47,7 +47,7 @@ Eigen::MatrixXd in_first_mode(const Sample& sample) {
 }
 
 TEST(SampleTempered, weighs_two_modes_that_chains_by_themselves_do_not_leave) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   const auto kernel = make_kernel("hmc", target, 1);
   const SampleSettings settings{.chains = 4, .warmup = 800, .draws = 3000, .seed = 7};
 
@@ -74,7 +74,7 @@ TEST(SampleTempered, weighs_two_modes_that_chains_by_themselves_do_not_leave) {
 
 TEST(SampleTempered, weighs_levels_that_no_discrete_move_changes) {
   // Each of three levels has its own narrow place, far from the others'.
-  const FunctionTarget target(
+  const FunctionDensity target(
       2,
       [](const Position& p) {
         const Eigen::Vector2d centre(1.5 * (p.discrete[0] - 1), 0), off = p.continuous - centre;
@@ -95,7 +95,7 @@ TEST(SampleTempered, weighs_levels_that_no_discrete_move_changes) {
 
 TEST(SampleTempered, depends_on_its_seed_alone_and_counts_what_it_evaluates) {
   std::atomic<long> evaluations{0};
-  const FunctionTarget counted(3, [&, target = two_modes()](const Position& p) {
+  const FunctionDensity counted(3, [&, target = two_modes()](const Position& p) {
     ++evaluations;
     return target.evaluate(p);
   });
@@ -118,9 +118,9 @@ TEST(SampleTempered, depends_on_its_seed_alone_and_counts_what_it_evaluates) {
 }
 
 TEST(SampleTempered, refuses_what_is_no_ladder_and_a_prior_that_never_meets_the_target) {
-  const FunctionTarget target = two_modes();
+  const FunctionDensity target = two_modes();
   EXPECT_THROW(sample_tempered(target, *make_hmc(), {}, 1), std::invalid_argument);
-  const FunctionTarget nowhere(1, [](const Position&) {
+  const FunctionDensity nowhere(1, [](const Position&) {
     return Evaluation{-std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(1)};
   });
   EXPECT_THROW(sample_tempered(nowhere, *make_hmc(), {}, 3), std::invalid_argument);

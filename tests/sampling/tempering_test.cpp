@@ -16,7 +16,7 @@ namespace patina {
 namespace {
 
 TEST(TemperedDensity, at_one_is_the_target_to_the_last_bit) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   const TemperedDensity same(target, 1);
   Rng rng(101);
   for (int i = 0; i < 20; ++i) {
@@ -28,7 +28,7 @@ TEST(TemperedDensity, at_one_is_the_target_to_the_last_bit) {
 }
 
 TEST(TemperedDensity, has_the_slope_of_its_value_and_the_moments_of_its_formula) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   Rng rng(102);
   for (const double beta : {0.01, 0.3, 0.8}) {
     const TemperedDensity tempered(target, beta);
@@ -60,12 +60,12 @@ class Lazy final : public LogDensity {
   Evaluation value(const Position& p) const override { return {target_.evaluate(p).log_density, {}}; }
 
  private:
-  FunctionTarget target_ = seen_with_an_error();
+  FunctionDensity target_ = seen_with_an_error();
 };
 
 TEST(TemperedDensity, leaves_out_the_gradient_that_its_target_leaves_out) {
   const Lazy lazy;
-  const FunctionTarget eager = seen_with_an_error();
+  const FunctionDensity eager = seen_with_an_error();
   const TemperedDensity tempered(lazy, 0.3), of_eager(eager, 0.3);
   const Position position{Eigen::Vector2d(0.4, -1.2), {}};
   const Evaluation expected = tempered.evaluate(position);
@@ -85,7 +85,7 @@ TEST(TemperedDensity, says_nothing_along_jagged_coordinates) {
 /// worst_distance() after some rounds from exact draws.
 double distance_after_rounds(const std::vector<double>& betas, const std::vector<double>& swapped_by) {
   constexpr int kRepeats = 20000;
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   const auto kernel = make_hmc();
   std::vector<std::vector<double>> ends(2 * betas.size());
   Rng rng(103);
@@ -123,7 +123,7 @@ TEST(Tempering, loses_them_when_swaps_are_decided_by_another_ladder) {
 /// Rounds in which every rung forgets where it was: the travellers of theory.
 SwapRecord rounds_of_exact_draws(const std::vector<double>& betas, int rounds, TemperedState& state,
                                  Rng& rng) {
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   SwapRecord record(betas.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < betas.size(); ++i) state.rungs[i] = exact_draw(target, betas[i], rng);
@@ -162,7 +162,7 @@ TEST(Tempering, that_picked_even_or_odd_at_random_would_make_fewer_round_trips) 
 
 TEST(Tempering, tries_each_pair_every_other_round_and_never_accepts_a_place_without_density) {
   const std::vector<double> betas{0, 0.5, 1};
-  const FunctionTarget target = seen_with_an_error();
+  const FunctionDensity target = seen_with_an_error();
   Rng rng(107);
   TemperedState state = blank(3);
   SwapRecord record(3);

@@ -116,7 +116,7 @@ TEST(ChainWarmup, reaches_the_target_acceptance_of_mala_on_a_gaussian) {
 }
 
 /// N(0, C) in 13 dimensions, as many as the leather has, with a table of levels that all weigh the same.
-FunctionTarget gaussian_with_levels() {
+FunctionDensity gaussian_with_levels() {
   const Eigen::MatrixXd precision = some_covariance(13).inverse();
   return {13,
           [precision](const Position& p) {
@@ -128,7 +128,7 @@ FunctionTarget gaussian_with_levels() {
 
 TEST(Warmup, leaves_every_chain_near_the_acceptance_that_its_kernel_asks_for) {
   // With the default mixture a bit more than half of the transitions teach the step size anything.
-  const FunctionTarget target = gaussian_with_levels();
+  const FunctionDensity target = gaussian_with_levels();
   const Metric truth(some_covariance(13));
   const auto start = [&](Rng& rng) {
     return Position{1.4 * truth.colour(rng.normals(13)), Eigen::VectorXi::Zero(2)};

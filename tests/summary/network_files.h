@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "engine/error.h"
+#include "engine/io/temporary_folder.h"
 #include "engine/summary/safetensors.h"
-#include "tests/support/temporary_folder.h"
 
 namespace patina {
 

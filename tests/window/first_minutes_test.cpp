@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "engine/io/image_file.h"
-#include "tests/support/temporary_folder.h"
+#include "engine/io/temporary_folder.h"
 #include "tests/window/looking.h"
 #include "tests/window/x_server.h"
 
@@ -64,7 +64,8 @@ class FirstMinutes : public ::testing::Test {
   /// Waits until the eye finds something in the window. @return where
   std::optional<Place> look_for(const std::function<std::optional<Place>(const Desktop::Picture&)>& find) {
     std::optional<Place> place;
-    comes_true([&] { return (place = find(desktop_->picture(window_))).has_value(); });
+    comes_true([&] { return (place = find(desktop_->picture(window_))).has_value(); },
+               std::chrono::milliseconds(100));
     return place;
   }
 
@@ -104,10 +105,7 @@ TEST_F(FirstMinutes, GoWithoutTheReadme) {
   std::filesystem::create_directories(pictures_);
   const TemporaryFolder home;
   const std::filesystem::path runs = home.path() / "patina" / "runs";
-  Program patina({program().string(), "--size", "1280x800"}, {{"DISPLAY", server_->display()},
-                                                              {"HOME", home.path().string()},
-                                                              {"XDG_DATA_HOME", home.path().string()},
-                                                              {"XDG_CONFIG_HOME", home.path().string()}});
+  Program patina = start_patina(server_->display(), home.path());
   desktop_ = std::make_unique<Desktop>(server_->display());
 
   // Start.

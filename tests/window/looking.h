@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "tests/support/comes_true.h"
+#include "tests/support/program.h"
 #include "tests/window/desktop.h"
 
 // What someone in front of the screen waits for and finds there.
@@ -17,16 +17,17 @@ namespace patina {
 
 inline constexpr std::uint32_t kAccent = 0x58b8a0;  // of the button that says what to do next (gui/theme.h)
 
-/// Waits up to two minutes: machines are slow. Returns whether it came true.
-inline bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(100)))
-    if (condition()) return true;
-  return false;
-}
-
-/// patina of this build: it lies beside the test.
-inline std::filesystem::path program() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "patina";
+/// Starts the patina of this build, which lies beside the test, as a new user's.
+inline Program start_patina(const std::string& display, const std::filesystem::path& home) {
+  const auto patina = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "patina";
+  return Program({patina.string(), "--size", "1280x800"},
+                 {.environment = {{"DISPLAY", display},
+                                  {"HOME", home.string()},
+                                  {"XDG_DATA_HOME", home.string()},
+                                  {"XDG_CONFIG_HOME", home.string()}},
+                  .inherited = -1,
+                  .out = {},
+                  .err = {}});
 }
 
 /// Share of pixels that differ.
@@ -41,12 +42,13 @@ inline double difference(const Desktop::Picture& a, const Desktop::Picture& b) {
 inline Desktop::Picture settled(const Desktop& desktop, Desktop::Window window) {
   Desktop::Picture picture = desktop.picture(window);
   int still = 0;
-  comes_true([&] {
+  const auto looks_the_same = [&] {
     Desktop::Picture next = desktop.picture(window);
     still = next.pixels == picture.pixels ? still + 1 : 0;
     picture = std::move(next);
     return still == 20;
-  });
+  };
+  comes_true(looks_the_same, std::chrono::milliseconds(100));
   return picture;
 }
 

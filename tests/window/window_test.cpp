@@ -1,7 +1,7 @@
 // patina in a real window, on a display without a screen: dropped on, clicked, typed at, closed.
 #include <gtest/gtest.h>
 
-#include "tests/support/temporary_folder.h"
+#include "engine/io/temporary_folder.h"
 #include "tests/window/looking.h"
 #include "tests/window/x_server.h"
 
@@ -17,10 +17,7 @@ TEST(RealWindow, opens_takes_a_dropped_photo_a_click_and_a_key_and_closes) {
   const std::filesystem::path photo = home.path() / "A dropped photo.png";
   std::filesystem::copy_file(std::filesystem::path(PATINA_SOURCE_DIR) / "resources/photos/sample_bump.png",
                              photo);
-  Program patina({program().string(), "--size", "1280x800"}, {{"DISPLAY", server->display()},
-                                                              {"HOME", home.path().string()},
-                                                              {"XDG_DATA_HOME", home.path().string()},
-                                                              {"XDG_CONFIG_HOME", home.path().string()}});
+  Program patina = start_patina(server->display(), home.path());
   const Desktop desktop(server->display());
   ASSERT_TRUE(comes_true([&] { return desktop.window().has_value(); })) << "no window";
   const Desktop::Window window = *desktop.window();

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/window/program.h"
+#include "tests/support/program.h"
 
 namespace patina {
 

@@ -1,4 +1,4 @@
-#include "engine/stress/scratch_folder.h"
+#include "engine/io/temporary_folder.h"
 
 #include <stdlib.h>
 
@@ -9,14 +9,14 @@
 
 namespace patina {
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "patina-stress-XXXXXX").string();
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "patina-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
     throw UserError("Cannot make a temporary folder: point TMPDIR to a place that can be written.");
   path_ = name;
 }
 
-ScratchFolder::~ScratchFolder() {
+TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }

@@ -5,12 +5,12 @@
 namespace patina {
 
 /// A new folder among the system's temporary ones, removed with all that it holds when this goes.
-class ScratchFolder {
+class TemporaryFolder {
  public:
-  ScratchFolder();  ///< @throws UserError if none can be made
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  TemporaryFolder();  ///< @throws UserError if none can be made
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
