@@ -1,19 +1,23 @@
 # cmake --preset sanitize && cmake --build --preset sanitize && ctest --preset sanitize
 #
 # Tests once more, with what they test compiled into them under a sanitizer:
-#   patina_sanitized_test(NAME address|thread SOURCES file... [LIBRARIES library...])
+#   patina_sanitized_test(NAME address|thread SOURCES file... [LIBRARIES library...] [LEAKS file])
 # is the program test-NAME-asan or test-NAME-tsan, the test NAME-asan or NAME-tsan of the label `sanitize`, and a
 # part of the target `sanitized`. `address` looks for undefined behaviour, too. Libraries, libtorch and its OpenMP
-# among them, are not instrumented: of their own threads and leaks nothing can be said.
+# among them, are not instrumented: of their own threads and leaks nothing can be said. Leaks are looked for where a
+# file of LEAKS names the libraries whose own do not count.
 add_custom_target(sanitized)
 
 function(patina_sanitized_test part sanitizer)
-  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "LEAKS" "SOURCES;LIBRARIES" ${ARGN})
   if(sanitizer STREQUAL "address")
     set(name ${part}-asan)
     # vptr needs the type information of OpenImageIO's classes, which its library hides.
     set(flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-sanitize=vptr)
     set(environment ASAN_OPTIONS=detect_leaks=0)
+    if(TEST_LEAKS)
+      set(environment ASAN_OPTIONS=detect_leaks=1 LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/${TEST_LEAKS})
+    endif()
   else()
     set(name ${part}-tsan)
     set(flags -fsanitize=thread)
@@ -68,7 +72,7 @@ if(PATINA_SANITIZE)
   file(GLOB window_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/gui/*.cpp ${CMAKE_SOURCE_DIR}/gui/gl/*.cpp
        ${CMAKE_SOURCE_DIR}/gui/panels/*.cpp)
   list(FILTER window_sources EXCLUDE REGEX "gui/(main|glfw_window|explorer|explorer_library)\\.cpp$")
-  patina_sanitized_test(gui address
+  patina_sanitized_test(gui address LEAKS gui/leaks.supp
     SOURCES ${window_sources} gui/app_random_test.cpp
     LIBRARIES patina_chart patina_run patina_material patina_diagnostics patina_io nlohmann_json::nlohmann_json
               PkgConfig::imgui PkgConfig::freetype2 PkgConfig::osmesa Eigen3::Eigen)
