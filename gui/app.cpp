@@ -94,7 +94,6 @@ void App::frame(double longest_wait) {
 
 void App::take_in_news() {
   attempt([this] { session_.poll(); });
-  restore_draw();
   attempt([this] {
     if (const auto preview = previews_.take()) preview_.show(*preview);
   });

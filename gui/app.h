@@ -95,7 +95,6 @@ class App {
   std::vector<Action> plot_actions();
   void remember();
   void save_preferences();
-  void restore_draw();
   void take_in_news();
   void finish_loading();
   void finish_loading_photo();
@@ -127,8 +126,6 @@ class App {
   ErrorBanner banner_;
   Preferences preferences_, saved_preferences_;
   std::chrono::steady_clock::time_point saved_at_;
-  std::optional<Preferences::DrawPlace> awaited_draw_;  ///< to be selected when it has been read
-  std::size_t looked_at_ = 0;                           ///< draws among which it was not
   Fonts fonts_{};
   bool dressed_ = false;  ///< fonts and colours are as the preferences want them
   Waker draw_news_;

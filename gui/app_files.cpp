@@ -72,7 +72,6 @@ void App::paste_path() {
 }
 
 void App::announce_opened() {
-  awaited_draw_.reset();
   preferences_.opened(session_.has_run() ? session_.run().directory()
                                          : std::filesystem::absolute(session_.photo_file()));
   banner_.dismiss();

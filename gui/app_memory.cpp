@@ -1,7 +1,5 @@
 // How the program is left and found again.
 
-#include <utility>
-
 #include "gui/app.h"
 
 namespace patina {
@@ -23,12 +21,9 @@ void App::remember() {
   preferences_.height = static_cast<int>(io.DisplaySize.y);
   preferences_.last_folder = dialog_.folder();
   preferences_.last_run = session_.has_run() ? session_.run().directory() : std::filesystem::path();
-  if (!awaited_draw_) {
-    const DrawColumns& draws = session_.model().draws();
-    const auto selected = session_.model().selected();
-    preferences_.draw.reset();
-    if (selected) preferences_.draw = {draws.chain(*selected), draws.iteration(*selected)};
-  }
+  const ExplorerModel& model = session_.model();
+  preferences_.draw = model.awaited();
+  if (model.selected()) preferences_.draw = model.draws().where(*model.selected());
   const bool idle = !ImGui::IsAnyMouseDown() && std::chrono::steady_clock::now() - saved_at_ > kBetweenSaves;
   if (idle && preferences_ != saved_preferences_) save_preferences();
 }
@@ -38,18 +33,8 @@ bool App::reopen() {
   const auto draw = preferences_.draw;
   attempt([this] { load(std::filesystem::path(preferences_.last_run)); });
   if (!session_.has_run()) return false;
-  awaited_draw_ = draw;
-  looked_at_ = 0;
+  if (draw) session_.model().await(*draw);
   return true;
-}
-
-void App::restore_draw() {
-  if (!awaited_draw_) return;
-  ExplorerModel& model = session_.model();
-  const auto found = model.draws().find(awaited_draw_->chain, awaited_draw_->iteration,
-                                        std::exchange(looked_at_, model.draws().size()));
-  if (found) model.select(found);
-  if (found || model.selected() || !session_.has_run()) awaited_draw_.reset();
 }
 
 }  // namespace patina

@@ -77,9 +77,9 @@ ParameterValues DrawColumns::values(std::size_t draw) const {
   return values;
 }
 
-std::optional<std::size_t> DrawColumns::find(int chain, std::int64_t iteration, std::size_t first) const {
+std::optional<std::size_t> DrawColumns::find(const DrawPlace& place, std::size_t first) const {
   for (std::size_t draw = first; draw < size(); ++draw)
-    if (iteration_[draw] == iteration && chain_[draw] == chain) return draw;
+    if (iteration_[draw] == place.iteration && chain_[draw] == place.chain) return draw;
   return std::nullopt;
 }
 

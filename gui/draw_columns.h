@@ -7,6 +7,7 @@
 
 #include "engine/run/draw.h"
 #include "gui/chunked_column.h"
+#include "gui/draw_place.h"
 #include "gui/plot_axis.h"
 
 namespace patina {
@@ -38,8 +39,9 @@ class DrawColumns {
     return after_warmup ? best_of_sampling_ : best_of_all_;
   }
 
+  DrawPlace where(std::size_t draw) const { return {chain(draw), iteration(draw)}; }
   /// The draw at a place of a chain, if it is there. Looks at all from `first` on.
-  std::optional<std::size_t> find(int chain, std::int64_t iteration, std::size_t first = 0) const;
+  std::optional<std::size_t> find(const DrawPlace& place, std::size_t first = 0) const;
 
   /// Where the draw lies along an axis. Levels of a discrete parameter are spread over +-0.3, each draw by an
   /// amount of its own, so that a cloud can be seen and clicked.

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace patina {
@@ -36,11 +37,22 @@ void ExplorerModel::append(std::span<const Draw> draws) {
   const std::size_t before = draws_.size();
   draws_.append(draws);
   find_starred(before);
+  if (!awaited_) return;
+  if (const auto found = draws_.find(*awaited_, before)) select(found);
 }
 
 void ExplorerModel::restore(const ExplorerChoices& choices) {
   choices_ = choices;
+  awaited_.reset();
   find_starred(0);
+}
+
+void ExplorerModel::take_over(const ExplorerModel& earlier) {
+  ExplorerChoices choices = earlier.choices_;
+  const std::optional<std::size_t> selected = std::exchange(choices.selected, std::nullopt);
+  choices.marked = {};
+  restore(choices);
+  awaited_ = selected ? earlier.draws_.where(*selected) : earlier.awaited_;
 }
 
 void ExplorerModel::set_axes(const PlotAxis& x, const PlotAxis& y) {
@@ -106,7 +118,10 @@ std::optional<std::size_t> ExplorerModel::nearest(const PlotAxis& x, const PlotA
 void ExplorerModel::select(std::optional<std::size_t> draw) {
   assert(!draw || *draw < draws_.size());
   choices_.selected = draw;
+  awaited_.reset();
 }
+
+void ExplorerModel::await(const DrawPlace& place) { awaited_ = place; }
 
 std::optional<std::size_t> ExplorerModel::best() const { return draws_.best(hides_warmup()); }
 
@@ -174,13 +189,13 @@ bool ExplorerModel::starred(std::size_t draw) const {
 
 void ExplorerModel::star(std::size_t draw, bool on) {
   if (starred(draw) == on) return;
-  const Place place{draws_.chain(draw), draws_.iteration(draw)};
+  const DrawPlace place = draws_.where(draw);
   starred_draws_[place] = draw;
   if (on) {
-    choices_.stars.push_back({place.first, place.second, {}});
+    choices_.stars.push_back({place.chain, place.iteration, {}});
   } else {
     std::erase_if(choices_.stars, [&](const Star& star) {
-      return Place{star.chain, star.iteration} == place;
+      return DrawPlace{star.chain, star.iteration} == place;
     });
   }
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "gui/draw_columns.h"
@@ -34,6 +33,9 @@ class ExplorerModel {
 
   const ExplorerChoices& choices() const { return choices_; }
   void restore(const ExplorerChoices& choices);  ///< those of this model from before
+  /// What the user chose about the draws of the same run, which come here again, in whatever order; but for
+  /// those that were marked.
+  void take_over(const ExplorerModel& earlier);
 
   PlotAxis x_axis() const { return choices_.x; }
   PlotAxis y_axis() const { return choices_.y; }
@@ -73,6 +75,9 @@ class ExplorerModel {
 
   std::optional<std::size_t> selected() const { return choices_.selected; }
   void select(std::optional<std::size_t> draw);
+  /// Selects a draw once it arrives, unless something else is selected before.
+  void await(const DrawPlace& place);
+  const std::optional<DrawPlace>& awaited() const { return awaited_; }
 
   /// The visible draw with the highest lp.
   std::optional<std::size_t> best() const;
@@ -100,13 +105,13 @@ class ExplorerModel {
   std::optional<std::size_t> draw_of(const Star& star) const;
 
  private:
-  using Place = std::pair<int, std::int64_t>;  ///< chain and iteration
   void find_starred(std::size_t from);
 
   ParameterTable table_;
   DrawColumns draws_;
   ExplorerChoices choices_;
-  std::map<Place, std::size_t> starred_draws_;  ///< where the draws are that were starred once
+  std::optional<DrawPlace> awaited_;
+  std::map<DrawPlace, std::size_t> starred_draws_;  ///< where the draws are that were starred once
 };
 
 /// From the lowest to the highest place of a set's draws along an axis; [0, 0] for an empty one.

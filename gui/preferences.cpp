@@ -37,7 +37,7 @@ void take_recent(const Json& json, Preferences& preferences) {
 
 void take_draw(const Json& json, Preferences& preferences) {
   if (!json.contains("draw") || !json["draw"].is_object()) return;
-  Preferences::DrawPlace place{-1, -1};
+  DrawPlace place{-1, -1};
   take(json["draw"], "chain", 0, 10'000, place.chain);
   take<std::int64_t>(json["draw"], "iteration", 0, 1'000'000'000'000, place.iteration);
   if (place.chain >= 0 && place.iteration >= 0) preferences.draw = place;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "gui/draw_place.h"
 #include "gui/layout.h"
 
 namespace patina {
@@ -13,13 +13,6 @@ namespace patina {
 struct Preferences {
   static constexpr std::size_t kMostRecent = 10;
   static constexpr float kLeastScale = 0.6f, kMostScale = 3;
-
-  /// A draw by its place in its chain, which stays the same however often a run is opened.
-  struct DrawPlace {
-    int chain = 0;
-    std::int64_t iteration = 0;
-    bool operator==(const DrawPlace&) const = default;
-  };
 
   std::vector<std::filesystem::path> recent;  ///< photos and runs, the newest first
   std::filesystem::path last_folder;          ///< of the file dialog

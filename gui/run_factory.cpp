@@ -27,10 +27,10 @@ std::unique_ptr<DrawSource> start_behind_frames(const RunSettings& settings, con
   return behind_frames([&] { return start_run(settings, photo, directory, std::move(wake)); });
 }
 
-std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings, const Photo& photo,
+std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings,
                                                  const std::filesystem::path& directory,
                                                  std::function<void()> wake) {
-  return behind_frames([&] { return resume_run(settings, photo, directory, std::move(wake)); });
+  return behind_frames([&] { return resume_run(settings, directory, std::move(wake)); });
 }
 
 std::filesystem::path default_runs_directory() {

@@ -15,7 +15,7 @@ namespace patina {
 std::unique_ptr<DrawSource> start_behind_frames(const RunSettings& settings, const Photo& photo,
                                                 const std::filesystem::path& directory,
                                                 std::function<void()> wake);
-std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings, const Photo& photo,
+std::unique_ptr<DrawSource> resume_behind_frames(const RunSettings& settings,
                                                  const std::filesystem::path& directory,
                                                  std::function<void()> wake);
 
@@ -24,7 +24,9 @@ struct RunFactory {
   std::function<std::unique_ptr<DrawSource>(
       const RunSettings&, const Photo&, const std::filesystem::path& directory, std::function<void()> wake)>
       start = start_behind_frames;
-  decltype(start) resume = resume_behind_frames;
+  std::function<std::unique_ptr<DrawSource>(const RunSettings&, const std::filesystem::path& directory,
+                                            std::function<void()> wake)>
+      resume = resume_behind_frames;
   std::function<std::unique_ptr<DrawSource>(const std::filesystem::path& directory,
                                             std::function<void()> wake)>
       open = open_in_background;

@@ -97,7 +97,7 @@ void Session::crop_to(const PhotoCrop& crop) {
 }
 
 bool Session::choices_wait() const {
-  const bool other_crop = source_ && run_photo_ && run_photo_->crop != chosen_crop();
+  const bool other_crop = source_ && run_crop_ && *run_crop_ != chosen_crop();
   return source_ && (other_crop || choices_.differ_from(source_->settings()));
 }
 
@@ -118,6 +118,7 @@ void Session::open_run(std::unique_ptr<DrawSource> source) {
   photo.crop = central_crop(photo.original_width, photo.original_height);
 
   adopt(std::move(source));
+  run_crop_ = photo.crop;
   photo_ = std::move(photo);
   photo_file_ = std::filesystem::absolute(directory / kRunPhoto).lexically_normal();
   another_photo();
@@ -147,9 +148,10 @@ void Session::start(const RunSettings& settings) {
     throw UserError("The part of the photo that you chose is still being read: start again in a moment.");
   // A run directory's own copy is a photo like any other; only its file tells the checksum.
   if (photo_->sha256.empty()) photo_ = load_photo(photo_file_);
-  const auto photo = std::make_shared<const Photo>(*photo_);
-  adopt(factory_.start(settings, *photo, fresh_run_directory(runs_, photo_name(), settings.material), wake_));
-  begin_sitting(photo);
+  adopt(
+      factory_.start(settings, *photo_, fresh_run_directory(runs_, photo_name(), settings.material), wake_));
+  run_crop_ = photo_->crop;
+  begun_ = std::chrono::steady_clock::now();
   keep_hint();
 }
 
@@ -162,14 +164,9 @@ void Session::keep_hint() const {
   }
 }
 
-void Session::begin_sitting(std::shared_ptr<const Photo> photo) {
-  run_photo_ = std::move(photo);
-  begun_ = std::chrono::steady_clock::now();
-}
-
 std::optional<double> Session::seconds_spent() const {
-  if (!run_photo_) return std::nullopt;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  if (!begun_) return std::nullopt;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - *begun_).count();
 }
 
 void Session::let_run_go() {
@@ -183,7 +180,8 @@ void Session::let_run_go() {
   status_ = RunStatus();
   summary_.reset();
   advice_.clear();
-  run_photo_.reset();
+  run_crop_.reset();
+  begun_.reset();
   readable_ = true;
   ++run_version_;
 }
@@ -227,7 +225,7 @@ void Session::stop() {
 
 bool Session::can_go_on() const {
   const bool ended = status_.phase == RunPhase::finished || status_.phase == RunPhase::stopped;
-  return source_ && ended && source_->can_control() && run_photo_ && !source_->settings().map_only;
+  return source_ && ended && status_.read_fraction == 1 && !source_->settings().map_only;
 }
 
 void Session::go_on() {
@@ -238,9 +236,13 @@ void Session::go_on() {
   });
   if (!some_left && !status_.chains.empty()) settings.draws *= 2;
   settings.stop.ess = settings.stop.rhat = 0;
-  const auto photo = run_photo_;
-  adopt(factory_.resume(settings, *photo, source_->directory(), wake_));
-  begin_sitting(photo);
+  const std::optional<PhotoCrop> crop = run_crop_;
+  auto resumed = factory_.resume(settings, source_->directory(), wake_);
+  const ExplorerModel earlier = std::move(model_);
+  adopt(std::move(resumed));
+  run_crop_ = crop;
+  begun_ = std::chrono::steady_clock::now();
+  model_.take_over(earlier);
 }
 
 void Session::poll() {

@@ -92,10 +92,11 @@ class Session {
   /// Since the run was started or continued here; none for one that was read from its directory.
   std::optional<double> seconds_spent() const;
 
-  /// Whether there is a run of this window that ended and can be gone on with.
+  /// Whether the run that is open ended, here or in another program, and can be gone on with.
   bool can_go_on() const;
   /// Draws on in the run that ended: for as long again if it ended before all its draws were made, else as
-  /// many more as it had. Its goals of quality no longer end it. @throws UserError
+  /// many more as it had. Its goals of quality no longer end it. What the user chose about its draws stays,
+  /// but for which are marked. @throws UserError
   void go_on();
 
   /// Takes in what arrived since the last call. @throws UserError once if the run directory became unreadable
@@ -117,7 +118,6 @@ class Session {
  private:
   void start(const RunSettings& settings);
   void let_run_go();
-  void begin_sitting(std::shared_ptr<const Photo> photo);
   void adopt(std::unique_ptr<DrawSource> source);
   void load_stars();
   void another_photo();
@@ -129,8 +129,9 @@ class Session {
   std::function<void()> wake_;
   std::optional<Photo> photo_;
   std::filesystem::path photo_file_;
-  std::shared_ptr<const Photo> run_photo_;       ///< of the run that was started here
-  std::chrono::steady_clock::time_point begun_;  ///< its sitting
+  std::optional<PhotoCrop> run_crop_;  ///< the part of photo_ that the open run is of; none: of another photo
+  std::optional<std::chrono::steady_clock::time_point>
+      begun_;  ///< when the run was started or continued here
   RunChoices choices_;
   ExplorerModel model_;
   RunStatus status_;

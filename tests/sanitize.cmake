@@ -58,7 +58,8 @@ patina_sanitized_test(run thread
 if(PATINA_SANITIZE)
   file(GLOB chain_sources CONFIGURE_DEPENDS ${engine}/sampling/*.cpp ${engine}/io/chain_csv*.cpp)
   list(FILTER chain_sources EXCLUDE REGEX "(laplace|map_search|sample[^/]*)\\.cpp$")  # no chain needs them
-  foreach(part chain chain_checkpoint chain_start run_files run_state state_file state_fits threads warmup_meeting)
+  foreach(part chain chain_checkpoint chain_start run_files state_file state_fits threads warmup_meeting
+               warmup_state)
     list(APPEND chain_sources ${engine}/run/${part}.cpp)
   endforeach()
   foreach(sanitizer address thread)

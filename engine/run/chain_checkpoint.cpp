@@ -48,18 +48,13 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& run_
 
 std::optional<ChainCheckpoint> read_checkpoint(const std::filesystem::path& file, const std::string& run_key,
                                                const LogDensity& target, const RunSettings& settings) {
-  const std::optional<std::string> payload = read_state(file, run_key);
-  if (!payload) return std::nullopt;
-  try {
-    Archive archive(*payload);
-    ChainCheckpoint checkpoint;
+  ChainCheckpoint checkpoint;
+  const bool is_there = read_state(file, run_key, [&](Archive& archive) {
     serialise_checkpoint(archive, checkpoint);
-    archive.expect_end();
     check(checkpoint, target, settings);
-    return checkpoint;
-  } catch (const ArchiveError& error) {
-    refuse_state(file, error.what());
-  }
+  });
+  if (!is_there) return std::nullopt;
+  return checkpoint;
 }
 
 }  // namespace patina

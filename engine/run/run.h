@@ -30,6 +30,10 @@ std::unique_ptr<DrawSource> resume_run(const RunSettings& settings, const Photo&
                                        const std::filesystem::path& directory,
                                        std::function<void()> wake = {});
 
+/// Likewise, with the photo that the directory keeps. @throws UserError also where there is no run
+std::unique_ptr<DrawSource> resume_run(const RunSettings& settings, const std::filesystem::path& directory,
+                                       std::function<void()> wake = {});
+
 /// Opens a run directory to read, also one that is still being written: take_draws() yields new whole lines.
 /// @param portion  about so many draws at a time, so that someone who waits sees them come
 /// @throws UserError for a directory that is empty, half written beyond use, or made by a newer version

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/io/image_file.h"
 #include "engine/material/registry.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_lock.h"
+#include "engine/run/run_photo.h"
 
 namespace patina {
 namespace {
@@ -27,21 +27,13 @@ void check_material(const Manifest& manifest) {
                     manifest.program + "): open it with that version.");
 }
 
-Image read_square_photo(const std::filesystem::path& directory) {
-  Image photo = read_image(photo_file(directory));
-  if (photo.channels != 3 || photo.width != photo.height)
-    throw UserError(photo_file(directory).string() +
-                    " is not the square photo of a run: restore it from a copy, or start a new run.");
-  return photo;
-}
-
 }  // namespace
 
 RunReader::RunReader(const std::filesystem::path& directory, std::size_t portion)
     : directory_(directory),
       portion_(portion),
       manifest_(read_manifest(directory)),
-      photo_(read_square_photo(directory)),
+      photo_(read_run_photo(directory)),
       chains_(static_cast<std::size_t>(manifest_.settings.chains)),
       writer_lives_(is_locked(lock_file(directory))) {
   check_material(manifest_);

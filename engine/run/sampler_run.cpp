@@ -14,19 +14,21 @@
 #include "engine/run/controlled_density.h"
 #include "engine/run/first_line.h"
 #include "engine/run/manifest_phase.h"
+#include "engine/run/mode_state.h"
 #include "engine/run/network_checksum.h"
 #include "engine/run/posterior_settings.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/run_alarms.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
-#include "engine/run/run_state.h"
+#include "engine/run/run_photo.h"
 #include "engine/run/same_run.h"
 #include "engine/run/state_file.h"
 #include "engine/run/stop_watcher.h"
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/run/version.h"
+#include "engine/run/warmup_state.h"
 #include "engine/sampling/kernels.h"
 
 namespace patina {
@@ -80,7 +82,7 @@ std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSett
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
                        const std::filesystem::path& directory, std::function<void()> wake, Opening opening)
-    : directory_(directory), settings_(settings), photo_(photo.image), shared_(std::move(wake)) {
+    : directory_(directory), settings_(settings), photo_(as_kept(photo.image)), shared_(std::move(wake)) {
   check_settings(settings_, photo);
   if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   if (opening == Opening::fresh) check_holds_no_run(directory_);
@@ -119,7 +121,7 @@ void SamplerRun::take_up() {
   lock_ = std::make_unique<RunLock>(lock_file(directory_));
   const Manifest made = read_manifest(directory_);
   check_same_run(directory_, made, manifest_);
-  check_has_states(directory_);
+  check_has_mode(directory_);
   found_ = read_mode(directory_, run_key_, *posteriors_.front(), is_calibrated());
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;

@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/io/file.h"
+#include "engine/sampling/archive.h"
 
 namespace patina {
 namespace {
@@ -21,6 +22,20 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find(' '));
   text.remove_prefix(std::min(text.size(), word.size() + 1));
   return word;
+}
+
+/// @throws UserError
+std::string payload_of(const std::filesystem::path& file, const std::string& run_key) {
+  std::string contents = read_file(file);
+  const std::size_t end = contents.find('\n');
+  std::string_view line = std::string_view(contents).substr(0, end);
+  if (end == std::string::npos || take_word(line) != kMagic) refuse_state(file, "it is not a state file");
+  if (take_word(line) != std::to_string(kStateFormat))
+    refuse_state(file, "another version of the program wrote it");
+  if (take_word(line) != run_key) refuse_state(file, "it belongs to another run");
+  std::string payload = contents.substr(end + 1);
+  if (line != sha256_hex(payload)) refuse_state(file, "its checksum is wrong");
+  return payload;
 }
 
 }  // namespace
@@ -41,19 +56,18 @@ void write_state(const std::filesystem::path& file, const std::string& run_key, 
   write_file_atomically(file, first_line_of(run_key, payload).append(payload));
 }
 
-std::optional<std::string> read_state(const std::filesystem::path& file, const std::string& run_key) {
+bool read_state(const std::filesystem::path& file, const std::string& run_key,
+                const std::function<void(Archive&)>& unpack) {
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  std::string contents = read_file(file);
-  const std::size_t end = contents.find('\n');
-  std::string_view line = std::string_view(contents).substr(0, end);
-  if (end == std::string::npos || take_word(line) != kMagic) refuse_state(file, "it is not a state file");
-  if (take_word(line) != std::to_string(kStateFormat))
-    refuse_state(file, "another version of the program wrote it");
-  if (take_word(line) != run_key) refuse_state(file, "it belongs to another run");
-  const std::string payload = contents.substr(end + 1);
-  if (line != sha256_hex(payload)) refuse_state(file, "its checksum is wrong");
-  return payload;
+  if (!std::filesystem::exists(file, ignored)) return false;
+  try {
+    Archive archive(payload_of(file, run_key));
+    unpack(archive);
+    archive.expect_end();
+  } catch (const ArchiveError& error) {
+    refuse_state(file, error.what());
+  }
+  return true;
 }
 
 void refuse_state(const std::filesystem::path& file, const std::string& why) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace patina {
+
+class Archive;
 
 // The sampler's state in a run directory, from which a run that was stopped or killed goes on to the very
 // same draws:
@@ -24,9 +26,13 @@ constexpr int kStateFormat = 2;  ///< grows with every change of what is seriali
 /// @param run_key  without blanks; see run_key()  @throws UserError
 void write_state(const std::filesystem::path& file, const std::string& run_key, std::string_view payload);
 
-/// The payload of a state file; nothing if there is no such file.
-/// @throws UserError for a file that is damaged, of another format, or belongs to another run
-std::optional<std::string> read_state(const std::filesystem::path& file, const std::string& run_key);
+/// Hands the payload of a state file to `unpack`, which may throw ArchiveError where it does not fit; false
+/// if there is no such file.
+/// @throws UserError for a file that is damaged, of another format, or belongs to another run, and in place
+/// of
+///         ArchiveError
+bool read_state(const std::filesystem::path& file, const std::string& run_key,
+                const std::function<void(Archive&)>& unpack);
 
 /// Throws the UserError for a state file that cannot be used. @param why  a clause
 [[noreturn]] void refuse_state(const std::filesystem::path& file, const std::string& why);

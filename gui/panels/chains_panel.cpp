@@ -145,9 +145,8 @@ void draw_questions(const PanelContext& context, const std::function<void()>& sh
 void draw_buttons(const PanelContext& context, const std::function<void()>& show_costs) {
   Session& session = context.session;
   const RunPhase phase = session.status().phase;
-  if (!session.run().can_control()) {
-    muted_text(is_over(phase) ? "This run was read from its directory."
-                              : "Another program is making this run; watch it here.");
+  if (!session.run().can_control() && !is_over(phase)) {
+    muted_text("Another program is making this run; watch it here.");
     return;
   }
   const float gap = ImGui::GetStyle().ItemSpacing.x;

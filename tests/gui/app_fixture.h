@@ -36,10 +36,9 @@ class AppTest : public ::testing::Test {
                            const std::filesystem::path& directory, auto) {
       return std::make_unique<FakeSource>(run_, settings, table_, photo.image, directory);
     };
-    factory.resume = [this](const RunSettings& settings, const Photo& photo,
-                            const std::filesystem::path& directory, auto) {
+    factory.resume = [this](const RunSettings& settings, const std::filesystem::path& directory, auto) {
       run_->status.phase = RunPhase::sampling;
-      return std::make_unique<FakeSource>(run_, settings, table_, photo.image, directory);
+      return std::make_unique<FakeSource>(run_, settings, table_, Image(64, 64, 3), directory);
     };
     factory.open = [this](const std::filesystem::path& directory, auto) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))

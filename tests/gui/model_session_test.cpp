@@ -42,10 +42,10 @@ class SessionTest : public ::testing::Test {
       if (factory_makes_directories_) std::filesystem::create_directories(directory);
       return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
     };
-    factory.resume = [this](const RunSettings& settings, const Photo& photo,
-                            const std::filesystem::path& directory, auto) {
+    factory.resume = [this](const RunSettings& settings, const std::filesystem::path& directory, auto) {
       resumed_ = settings;
-      return std::make_unique<FakeSource>(run_, settings, testing::small_table(), photo.image, directory);
+      return std::make_unique<FakeSource>(run_, settings, testing::small_table(), Image(40, 40, 3),
+                                          directory);
     };
     factory.open = [this](const std::filesystem::path& directory, auto) -> std::unique_ptr<DrawSource> {
       if (!std::filesystem::exists(directory / "run.json"))
@@ -171,6 +171,44 @@ TEST_F(SessionTest, GoesOnInTheDirectoryOfARunThatEnded) {
   session_.poll();
   session_.go_on();
   EXPECT_EQ(resumed_->draws, 2 * started_.draws);
+}
+
+TEST_F(SessionTest, GoesOnWithARunOfAnotherProgramOnceThatHasEndedAndSelectsTheSameDraw) {
+  std::ofstream(folder_.path() / "run.json") << "{}";
+  run_->status.phase = RunPhase::sampling;
+  session_.open(folder_.path());
+  const auto fed = [](double x, int chain, std::int64_t iteration) {
+    Draw draw = draw_at(x, 0.5, -x, false, chain);
+    draw.iteration = iteration;
+    return draw;
+  };
+  run_->feed({fed(0.1, 0, 7), fed(0.2, 1, 7), fed(0.3, 0, 8)});
+  session_.poll();
+  EXPECT_FALSE(session_.can_go_on()) << "the other program makes it";
+  EXPECT_FALSE(session_.seconds_spent());
+  run_->status.phase = RunPhase::stopped;
+  session_.poll();
+  ASSERT_TRUE(session_.can_go_on());
+  ExplorerModel& model = session_.model();
+  model.set_axes(testing::kY, testing::kCells);
+  model.select(1);
+  model.toggle_star(2);
+  model.mark(model.inside(testing::kX, testing::kY, std::vector<PlotPlace>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
+             Marking::replace);
+  session_.go_on();
+  EXPECT_TRUE(resumed_);
+  EXPECT_TRUE(session_.seconds_spent());
+  EXPECT_FALSE(session_.choices_wait());
+  EXPECT_EQ(session_.model().draws().size(), 0u);
+  run_->feed({fed(0.1, 0, 7), fed(0.3, 0, 8)});
+  session_.poll();
+  EXPECT_FALSE(session_.model().selected()) << "not there yet";
+  EXPECT_TRUE(session_.model().marked().empty());
+  EXPECT_TRUE(session_.model().starred(1));
+  run_->feed({fed(0.2, 1, 7)});
+  session_.poll();
+  EXPECT_EQ(session_.model().selected(), 2u);
+  EXPECT_EQ(session_.model().x_axis(), testing::kY);
 }
 
 TEST_F(SessionTest, ChoosesTheMaterialThatIsFoundAndKeepsWhyWithTheRun) {

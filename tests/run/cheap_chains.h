@@ -10,7 +10,7 @@
 #include "engine/run/chain.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/run_files.h"
-#include "engine/run/run_state.h"
+#include "engine/run/warmup_state.h"
 #include "engine/sampling/kernels.h"
 #include "tests/io/folder_test.h"
 

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "engine/run/mode_search.h"
-#include "engine/run/warmup_meeting.h"
 
 namespace patina {
 
-// What the chains of a run share, as state files; see state_file.h.
+// What the search handed to the chains of a run, as a state file; see state_file.h.
 
 /// @throws UserError if it cannot be written
 void write_mode(const std::filesystem::path& directory, const std::string& run_key, ModeFound found);
@@ -20,16 +19,8 @@ void write_mode(const std::filesystem::path& directory, const std::string& run_k
 std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const std::string& run_key,
                                    const Posterior& target, bool calibrated);
 
-/// @throws UserError if it cannot be written
-void write_warmup(const std::filesystem::path& directory, const std::string& run_key, WarmupRecord record);
-
 /// @throws UserError for a run that has draws, or chains with a state, but not the mode that they started
 /// from
-void check_has_states(const std::filesystem::path& directory);
-
-/// Empty if no window had ended. @param rungs  of the chains' ladders
-/// @throws UserError for a file that is damaged or not of that target
-WarmupRecord read_warmup(const std::filesystem::path& directory, const std::string& run_key,
-                         const LogDensity& target, int rungs);
+void check_has_mode(const std::filesystem::path& directory);
 
 }  // namespace patina
