@@ -30,9 +30,8 @@ Eigen::MatrixXd shrunk_correlations(const Eigen::MatrixXd& columns) {
 Eigen::MatrixXd covariance_of(const LocalRegression& of) {
   const Eigen::VectorXd sds =
       (of.errors.rowwise().squaredNorm() / static_cast<double>(of.errors.cols())).cwiseMax(1e-20).cwiseSqrt();
-  const Eigen::VectorXd predictive = sds.cwiseProduct(of.sd_factors);
-  return predictive.asDiagonal() * shrunk_correlations(sds.cwiseInverse().asDiagonal() * of.errors) *
-         predictive.asDiagonal();
+  return of.sd.asDiagonal() * shrunk_correlations(sds.cwiseInverse().asDiagonal() * of.errors) *
+         of.sd.asDiagonal();
 }
 
 }  // namespace
