@@ -35,6 +35,7 @@ App::App(Window& window, RunFactory factory, const std::filesystem::path& runs,
       draw_news_([&window] { window.wake(1); }, kDrawInterval),
       session_(std::move(factory), runs, [this] { draw_news_.note(); }),
       previews_([&window] { window.wake(); }),
+      exporter_([&window] { window.wake(); }),
       photo_loader_(
           [](const PhotoRequest& request) {
             return load_photo(request.file, {.crop = request.crop, .whole_side = Session::kWholeSide});
@@ -105,7 +106,9 @@ void App::take_in_news() {
 void App::finish_export() {
   const auto outcome = exporter_.take();
   if (!outcome) return;
-  if (outcome->error.empty()) {
+  if (outcome->cancelled) {
+    export_note_ = "Cancelled; what was done is in " + outcome->folder.string();
+  } else if (outcome->error.empty()) {
     export_note_ = "Saved in " + outcome->folder.string();
   } else {
     export_note_.clear();
@@ -145,34 +148,6 @@ void App::give_keys_to_photo(bool given) {
   photo_.take_keys(session_, given);
 }
 
-bool App::step_back(Choices choices) {
-  if (choices == Choices::next_run) return session_.choices().undo();
-  if (!history_.undo()) return false;
-  session_.model().restore(history_.now());
-  return true;
-}
-
-bool App::step_forward(Choices choices) {
-  if (choices == Choices::next_run) return session_.choices().redo();
-  if (!history_.redo()) return false;
-  session_.model().restore(history_.now());
-  return true;
-}
-
-void App::note_steps() {
-  const ExplorerChoices& choices = session_.model().choices();
-  if (history_run_ != session_.run_version()) {
-    history_ = History<ExplorerChoices>(choices);
-    history_run_ = session_.run_version();
-  }
-  // A gesture is one step, however much it changes on its way.
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool key_down = std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
-  if (!ImGui::IsAnyMouseDown() && !key_down) history_.change(choices, true);
-  steps_.note(Choices::draws, history_.steps());
-  steps_.note(Choices::next_run, session_.choices().steps());
-}
-
 void App::handle_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   // While a note is typed, Esc only ends that.
@@ -199,7 +174,6 @@ void App::draw_panels() {
   const float em = ImGui::GetFontSize();
   const PanelContext context{session_, commands_, fonts_.semibold};
   const ShownDraw shown = shown_draw(session_);
-  const std::string note = exporter_.busy() ? "Exporting..." : export_note_;
   const auto open_dialog = [this] { ask_to_open(); };
   drag_columns(io.DisplaySize, em, preferences_.shares);
   const Layout layout = lay_out(io.DisplaySize, preferences_.shares, em);
@@ -216,7 +190,10 @@ void App::draw_panels() {
       {[this](std::size_t draw) { ask_to_export_draw(draw); }, [this] { ask_to_export_starred(); }});
   material_.draw(context, layout.material, shown);
   draw_chains_panel(context, layout.chains, [this] { costs_.open(); });
-  draw_draw_panel(context, layout.draw, shown, note, [this] { ask_to_export(); });
+  const auto exported = exporter_.busy() ? std::optional(exporter_.done()) : std::nullopt;
+  draw_draw_panel(
+      context, layout.draw, shown, {exported, export_note_}, [this] { ask_to_export(); },
+      [this] { exporter_.cancel(); });
   draw_dialogs(context);
   // After the panels, so that a click is answered in the frame that saw it.
   const PreviewView& view = preview_.view();

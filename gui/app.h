@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@
 #include "gui/preview_feed.h"
 #include "gui/session.h"
 #include "gui/step_order.h"
+#include "gui/view_choices.h"
 #include "gui/window.h"
 
 namespace patina {
@@ -75,7 +77,7 @@ class App {
 
  private:
   /// What has a history.
-  enum class Choices { draws, next_run };
+  enum class Choices { draws, next_run, view };
   struct PhotoRequest {
     std::filesystem::path file;
     std::optional<PhotoCrop> crop;
@@ -109,8 +111,10 @@ class App {
   void give_keys_to_plot(bool given);
   void give_keys_to_photo(bool given);
   void draw_panels();
-  bool step_back(Choices choices);
-  bool step_forward(Choices choices);
+  void undo();
+  void redo();
+  ViewChoices view_choices() const;
+  bool restore_view();
   void note_steps();
   void draw_dialogs(const PanelContext& context);
   void ask_to_open();
@@ -147,6 +151,8 @@ class App {
   Commands commands_;
   History<ExplorerChoices> history_{ExplorerChoices()};  ///< of what the user chose about the run's draws
   int history_run_ = 0;
+  std::optional<History<ViewChoices>> view_history_;  ///< from the first frame on
+  std::chrono::steady_clock::time_point wheeled_at_;
   StepOrder<Choices> steps_;
   std::vector<ExportJob> export_jobs_;  ///< what the export dialog is open for
   std::string export_note_;

@@ -26,6 +26,7 @@ struct Colouring {
 /// What the user chose about the draws of a run; a value, so that undo can go back to it.
 struct ExplorerChoices {
   PlotAxis x, y;
+  std::vector<PlotPart> parts;  ///< of the plots of which not all is shown
   Colouring colouring;
   bool warmup_hidden = false;
   bool contours = false;  ///< drawn around half of the draws and nine in ten

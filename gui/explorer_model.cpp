@@ -56,8 +56,25 @@ void ExplorerModel::take_over(const ExplorerModel& earlier) {
 }
 
 void ExplorerModel::set_axes(const PlotAxis& x, const PlotAxis& y) {
+  if (x == choices_.x && y == choices_.y) return;
   choices_.x = x;
   choices_.y = y;
+  show_all(x, y);
+}
+
+std::optional<PlotPart> ExplorerModel::part(const PlotAxis& x, const PlotAxis& y) const {
+  const auto found =
+      std::ranges::find_if(choices_.parts, [&](const PlotPart& part) { return part.x == x && part.y == y; });
+  return found == choices_.parts.end() ? std::nullopt : std::optional(*found);
+}
+
+void ExplorerModel::show_part(const PlotPart& part) {
+  show_all(part.x, part.y);
+  choices_.parts.push_back(part);
+}
+
+void ExplorerModel::show_all(const PlotAxis& x, const PlotAxis& y) {
+  std::erase_if(choices_.parts, [&](const PlotPart& part) { return part.x == x && part.y == y; });
 }
 
 PlotRange ExplorerModel::default_range(const PlotAxis& axis) const {

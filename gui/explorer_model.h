@@ -39,7 +39,12 @@ class ExplorerModel {
 
   PlotAxis x_axis() const { return choices_.x; }
   PlotAxis y_axis() const { return choices_.y; }
-  void set_axes(const PlotAxis& x, const PlotAxis& y);
+  void set_axes(const PlotAxis& x, const PlotAxis& y);  ///< other ones show all draws
+
+  /// What is shown of the plot over two axes; none: all draws, as they arrive.
+  std::optional<PlotPart> part(const PlotAxis& x, const PlotAxis& y) const;
+  void show_part(const PlotPart& part);
+  void show_all(const PlotAxis& x, const PlotAxis& y);
 
   const Colouring& colouring() const { return choices_.colouring; }
   void colour_by(const Colouring& colouring) { choices_.colouring = colouring; }

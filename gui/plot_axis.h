@@ -24,6 +24,13 @@ struct PlotRange {
   bool operator==(const PlotRange&) const = default;
 };
 
+/// The part that is shown of a plot over two axes.
+struct PlotPart {
+  PlotAxis x, y;
+  PlotRange across, up;
+  bool operator==(const PlotPart&) const = default;
+};
+
 /// What a material's draws can be compared by: its continuous parameters, its discrete ones, lp.
 std::vector<PlotAxis> plot_axes(const ParameterTable& table);
 

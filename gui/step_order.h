@@ -2,24 +2,31 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace patina {
 
-/// In which order several histories took their steps, so that one key takes back the last step of all.
+/// In which order several histories took their steps, so that one key takes back the last gesture, whichever
+/// of them it moved.
 /// @tparam Name  of a history
 template <typename Name>
 class StepOrder {
  public:
-  /// To be told, after whatever may have changed a history, how many steps it has taken: History::steps().
-  /// Steps that it no longer knows of, as when it began anew, are forgotten.
-  void note(Name history, std::ptrdiff_t steps) {
-    std::ptrdiff_t& known = known_[history];
-    if (steps > known) future_.clear();
-    for (; known < steps; ++known) past_.push_back(history);
-    for (; known > steps; --known) forget_last(history);
+  /// To be told, after whatever may have changed histories, how many steps each has taken: History::steps().
+  /// Steps of several that are told at once are of one gesture. Those that a history no longer knows of, as
+  /// when it began anew, are forgotten.
+  void note(std::initializer_list<std::pair<Name, std::ptrdiff_t>> histories) {
+    for (const auto& [history, steps] : histories) {
+      for (; known_[history] > steps; --known_[history]) forget_last(history);
+      while (known_[history] + 1 < steps) begin(history, ++gesture_);
+    }
+    ++gesture_;
+    for (const auto& [history, steps] : histories)
+      if (known_[history] < steps) begin(history, gesture_);
   }
 
   /// @param step_back  takes back the last step of a history; false if it has none
@@ -39,29 +46,43 @@ class StepOrder {
   bool can_redo() const { return !future_.empty(); }
 
  private:
-  template <typename Step>
-  static bool move(std::vector<Name>& from, std::vector<Name>& to, Step step) {
-    while (!from.empty()) {
-      const Name history = from.back();
+  struct Step {
+    Name history;
+    int gesture;
+  };
+
+  void begin(Name history, int gesture) {
+    future_.clear();
+    past_.push_back({history, gesture});
+    ++known_[history];
+  }
+
+  template <typename Move>
+  static bool move(std::vector<Step>& from, std::vector<Step>& to, Move move_history) {
+    bool moved = false;
+    while (!from.empty() && (!moved || from.back().gesture == to.back().gesture)) {
+      const Step step = from.back();
       from.pop_back();
-      if (!step(history)) continue;
-      to.push_back(history);
-      return true;
+      if (!move_history(step.history)) continue;
+      to.push_back(step);
+      moved = true;
     }
-    return false;
+    return moved;
   }
 
   void forget_last(Name history) {
-    for (std::vector<Name>* names : {&past_, &future_}) {
-      const auto last = std::find(names->rbegin(), names->rend(), history);
-      if (last == names->rend()) continue;
-      names->erase(std::next(last).base());
+    for (std::vector<Step>* steps : {&past_, &future_}) {
+      const auto last = std::find_if(steps->rbegin(), steps->rend(),
+                                     [&](const Step& step) { return step.history == history; });
+      if (last == steps->rend()) continue;
+      steps->erase(std::next(last).base());
       return;
     }
   }
 
   std::map<Name, std::ptrdiff_t> known_;
-  std::vector<Name> past_, future_;  ///< oldest first; furthest first
+  std::vector<Step> past_, future_;  ///< oldest first; furthest first
+  int gesture_ = 0;
 };
 
 }  // namespace patina

@@ -72,12 +72,13 @@ Image normal_image(const Image& normal, NormalConvention normals) {
 }
 
 void write_images(const ExportRequest& request, const MaterialMaps& maps, const Heights& heights,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, const std::function<void()>& made_one) {
   const bool exr = request.format == MapFormat::exr;
   const auto write = [&](const std::string& name, const Image& image) {
     // Heights in cm need more digits than a half has.
     const PixelDepth depth = exr && name == "height" ? PixelDepth::f32 : depth_of(request.format);
     write_image(folder / (name + extension(request.format)), image, depth);
+    made_one();
   };
   write("base_color", exr ? maps.base_color : transformed(maps.base_color, encode_srgb));
   write(normal_name(request.normals), normal_image(maps.normal, request.normals));
@@ -154,17 +155,30 @@ std::vector<ExportedFile> exported_files(MapFormat format, NormalConvention norm
   };
 }
 
-void export_draw(const ExportRequest& request, const std::filesystem::path& folder) {
+void export_draw(const ExportRequest& request, const std::filesystem::path& folder,
+                 const ExportProgress& progress) {
+  // The maps take about as long as two images, and the render as one.
+  constexpr double kParts = 8;
+  double parts = 0;
+  const auto made = [&](double more) {
+    parts += more;
+    if (progress) progress(parts / kParts);
+  };
   check_resolution(request.resolution);
   const Renderer renderer(request.material, request.z_seed, request.capture);
+  made(0);
   const MaterialMaps maps = request.tile ? renderer.tile(request.values, request.resolution)
                                          : renderer.maps(request.values, request.resolution);
+  made(2);
   make_folder(folder);
   const Heights heights = range_of(maps.height);
-  write_images(request, maps, heights, folder);
-  write_image(folder / "render.png", renderer.render(request.values, request.resolution));
+  write_images(request, maps, heights, folder, [&] { made(1); });
+  const Image render = renderer.render(request.values, request.resolution);
+  made(1);
+  write_image(folder / "render.png", render);
   write_file_atomically(folder / "params.json", params_to_json(renderer.table(), request.values));
   write_file_atomically(folder / "maps.json", sidecar(request, maps, heights));
+  if (progress) progress(1);
 }
 
 }  // namespace patina

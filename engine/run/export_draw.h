@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,9 +56,15 @@ struct ExportedFile {
 /// white, the maps' physical size, conventions, origin.
 std::vector<ExportedFile> exported_files(MapFormat format, NormalConvention normals);
 
+/// Told between two parts of an export how much of it is done, 0 to 1. What it throws ends the export; files
+/// that were written stay.
+using ExportProgress = std::function<void(double done)>;
+
 /// Writes a draw as files that any 3-D program reads, into a folder that is made if need be, each atomically.
+/// @param progress  may be empty
 /// @throws UserError for an unknown material, a resolution out of range, a tile of a material that has none,
 /// or a folder that cannot be written
-void export_draw(const ExportRequest& request, const std::filesystem::path& folder);
+void export_draw(const ExportRequest& request, const std::filesystem::path& folder,
+                 const ExportProgress& progress = {});
 
 }  // namespace patina

@@ -51,20 +51,33 @@ void draw_walk(const PanelContext& context, const ShownDraw& shown) {
   ImGui::EndDisabled();
 }
 
+void draw_export_news(const ExportNews& news) {
+  if (!news.done) {
+    if (!news.note.empty()) elided_text(news.note, ImGui::GetContentRegionAvail().x, theme::kAccent);
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
+  ImGui::ProgressBar(static_cast<float>(*news.done), {-1, 0.35f * ImGui::GetFontSize()}, "");
+  ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 void draw_draw_panel(const PanelContext& context, const Rect& rect, const ShownDraw& shown,
-                     const std::string& export_note, const std::function<void()>& ask_to_export) {
+                     const ExportNews& news, const std::function<void()>& ask_to_export,
+                     const std::function<void()>& cancel_export) {
   const PanelScope panel((shown_draw_title(shown) + "###draw").c_str(), rect, context,
                          ImGuiWindowFlags_NoScrollbar);
   muted_text(describe(context.session, shown));
-  if (!export_note.empty()) elided_text(export_note, ImGui::GetContentRegionAvail().x, theme::kAccent);
+  draw_export_news(news);
   const float bottom = ImGui::GetContentRegionMax().y - ImGui::GetFrameHeight();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
   draw_walk(context, shown);
-  align_right(button_width("Export..."));
-  if (ImGui::Button("Export...")) context.commands.push_back(ask_to_export);
-  tooltip("Write this draw's parameters, render and maps to a folder (Ctrl+E)");
+  const char* label = news.done ? "Cancel export" : "Export...";
+  align_right(button_width(label));
+  if (ImGui::Button(label)) context.commands.push_back(news.done ? cancel_export : ask_to_export);
+  tooltip(news.done ? "End it; files that were written stay"
+                    : "Write this draw's parameters, render and maps to a folder (Ctrl+E)");
 }
 
 }  // namespace patina

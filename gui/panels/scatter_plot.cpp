@@ -112,20 +112,19 @@ void ScatterPlot::follow_draws(const Session& session, const PlotSubject& subjec
     sent_ = counted_ = 0;
     x_bars_ = y_bars_ = {};
     if (!same_plane) {
-      following_ = true;
+      following_ = false;
       marking_.cancel();
       cursor_.end();
-      view_.x = padded(x);
-      view_.y = padded(y);
     }
   }
   // The first draws are not to be lost in the prior's range, which was shown until they came.
   const bool has_draws = model.draws().size() > 0, first = has_draws && !had_draws_;
   had_draws_ = has_draws;
-  if (following_) {
-    view_.x = first ? padded(x) : followed(view_.x, x);
-    view_.y = first ? padded(y) : followed(view_.y, y);
-  }
+  const std::optional<PlotPart> part = model.part(subject.x, subject.y);
+  const bool goes_on_following = following_ && !first;
+  following_ = !part;
+  view_.x = part ? part->across : goes_on_following ? followed(view_.x, x) : padded(x);
+  view_.y = part ? part->up : goes_on_following ? followed(view_.y, y) : padded(y);
 }
 
 void ScatterPlot::send_points(const ExplorerModel& model) {
@@ -253,23 +252,17 @@ void ScatterPlot::handle_mouse(Session& session, MarkingTool tool) {
   if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) held_ = hit(model, kClickReach);
   if (!ImGui::IsItemActive() || marking_.active()) held_.reset();
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)) {
-    view_.x = moved(view_.x, -io.MouseDelta.x * view_.x_per_pixel());
-    view_.y = moved(view_.y, io.MouseDelta.y * view_.y_per_pixel());
-    following_ = false;
+    model.show_part({contents_.x, contents_.y, moved(view_.x, -io.MouseDelta.x * view_.x_per_pixel()),
+                     moved(view_.y, io.MouseDelta.y * view_.y_per_pixel())});
   }
   if (!ImGui::IsItemHovered()) return;
   if (io.MouseWheel != 0) {
     const PlotPlace about = mouse_place();
     const double factor = std::pow(0.85, io.MouseWheel);
-    view_.x = zoomed(view_.x, about.x, factor);
-    view_.y = zoomed(view_.y, about.y, factor);
-    following_ = false;
+    model.show_part(
+        {contents_.x, contents_.y, zoomed(view_.x, about.x, factor), zoomed(view_.y, about.y, factor)});
   }
-  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    view_.x = padded(model.default_range(contents_.x));
-    view_.y = padded(model.default_range(contents_.y));
-    following_ = true;
-  }
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) model.show_all(contents_.x, contents_.y);
   if (marking_.active() || mouse_rests_after_click()) return;
   if (const auto draw = hit(model, kHoverReach))
     draw_hover(session, thumbnails_, *draw, contents_.x, contents_.y);

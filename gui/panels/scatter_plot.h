@@ -78,7 +78,7 @@ class ScatterPlot {
   PointRenderer points_;
   Contents contents_;
   PlotView view_;
-  bool following_ = true;   ///< the view follows the draws until the user moves it
+  bool following_ = false;  ///< the view has followed the draws since the frame before
   bool had_draws_ = false;  ///< in the frame before
   bool behind_ = false, redrew_density_ = false;
   Clock::time_point sent_at_;

@@ -151,6 +151,33 @@ TEST_F(AppPanels, ExportWritesTheSelectedDrawsFiles) {
   EXPECT_NE(sidecar.find("chain 1, step 1"), std::string::npos) << sidecar;
 }
 
+TEST_F(AppPanels, AnExportCanBeEndedOnItsWayAndSaysHowFarItIs) {
+  start_run_of({draw(0.4, 0.5, -1)});
+  ExportWorker worker;
+  ExportRequest request;
+  request.material = "bump";
+  request.values = prior_location(table_);
+  request.resolution = 128;
+  const auto end = [&] {
+    std::optional<ExportWorker::Outcome> outcome;
+    while (!outcome) outcome = worker.take();
+    return *outcome;
+  };
+  worker.start({{request, "a"}, {request, "b"}}, folder_.path() / "whole");
+  EXPECT_FALSE(end().cancelled);
+  EXPECT_EQ(worker.done(), 1);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "whole" / "b" / "maps.json"));
+  std::vector<ExportJob> endless(1000, {request, "again"});
+  worker.start(endless, folder_.path() / "part");
+  while (worker.done() == 0) continue;
+  worker.cancel();
+  const ExportWorker::Outcome outcome = end();
+  EXPECT_TRUE(outcome.cancelled);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_GT(worker.done(), 0);
+  EXPECT_LT(worker.done(), 1);
+}
+
 TEST_F(AppPanels, AnExportThatFailsSaysSo) {
   start_run_of({draw(0.4, 0.5, -1)});
   press('E', ImGuiKeyModFlags_Ctrl);

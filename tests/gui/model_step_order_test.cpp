@@ -16,10 +16,7 @@ struct Desk {
     of(which).change(value, true);
     note();
   }
-  void note() {
-    order.note('l', left.steps());
-    order.note('r', right.steps());
-  }
+  void note() { order.note({{'l', left.steps()}, {'r', right.steps()}}); }
   bool undo() {
     return order.undo([this](char which) { return of(which).undo(); });
   }
@@ -44,6 +41,35 @@ TEST(StepOrder, takes_back_the_last_step_of_all_histories_and_makes_it_again) {
   EXPECT_TRUE(desk.undo());
   EXPECT_TRUE(desk.undo());
   EXPECT_FALSE(desk.undo());
+  EXPECT_EQ(desk.left.now(), 0);
+}
+
+TEST(StepOrder, takes_back_together_what_one_gesture_did_to_several_histories) {
+  Desk desk;
+  desk.set('l', 1);
+  desk.left.change(2, true);
+  desk.right.change(5, true);
+  desk.note();
+  EXPECT_TRUE(desk.undo());
+  EXPECT_EQ(desk.left.now(), 1);
+  EXPECT_EQ(desk.right.now(), 0);
+  EXPECT_TRUE(desk.redo());
+  EXPECT_EQ(desk.left.now(), 2);
+  EXPECT_EQ(desk.right.now(), 5);
+  EXPECT_TRUE(desk.undo());
+  EXPECT_TRUE(desk.undo());
+  EXPECT_EQ(desk.left.now(), 0);
+  EXPECT_FALSE(desk.undo());
+}
+
+TEST(StepOrder, takes_back_one_by_one_the_steps_of_one_history_that_it_is_told_of_late) {
+  Desk desk;
+  desk.left.change(1, true);
+  desk.left.change(2, true);
+  desk.note();
+  EXPECT_TRUE(desk.undo());
+  EXPECT_EQ(desk.left.now(), 1);
+  EXPECT_TRUE(desk.undo());
   EXPECT_EQ(desk.left.now(), 0);
 }
 
