@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <ctime>
+#include <regex>
 #include <utility>
 
 #include "gui/priority.h"
@@ -51,6 +52,13 @@ std::filesystem::path fresh_run_directory(const std::filesystem::path& runs, con
   for (int copy = 2; std::filesystem::exists(directory); ++copy)
     directory = runs / (name + "-" + std::to_string(copy));
   return directory;
+}
+
+std::string photo_name_of(const std::filesystem::path& run_directory) {
+  static const std::regex made_here("(.+)-[a-z_]+-[0-9]{8}-[0-9]{6}(-[0-9]+)?");
+  const std::string name = run_directory.filename().string();
+  std::smatch parts;
+  return std::regex_match(name, parts, made_here) ? parts[1].str() : name;
 }
 
 }  // namespace patina

@@ -42,4 +42,7 @@ std::filesystem::path default_runs_directory();
 std::filesystem::path fresh_run_directory(const std::filesystem::path& runs, const std::string& photo_name,
                                           const std::string& material);
 
+/// The photo's name in the name of such a directory; of another directory all of its name.
+std::string photo_name_of(const std::filesystem::path& run_directory);
+
 }  // namespace patina

@@ -43,7 +43,7 @@ void Session::open(const std::filesystem::path& path) {
 
 std::string Session::photo_name() const {
   const bool of_run = photo_file_.filename() == kRunPhoto;
-  return (of_run ? photo_file_.parent_path().filename() : photo_file_.stem()).string();
+  return of_run ? photo_name_of(photo_file_.parent_path()) : photo_file_.stem().string();
 }
 
 void Session::open_photo(Photo photo, const std::filesystem::path& file) {

@@ -44,7 +44,7 @@ class Session {
 
   bool has_photo() const { return photo_.has_value(); }
   const Photo& photo() const { return *photo_; }
-  std::string photo_name() const;  ///< the file's name without extension; of a run its directory's
+  std::string photo_name() const;  ///< the file's name without extension; of a run see photo_name_of()
   const std::filesystem::path& photo_file() const { return photo_file_; }
   int photo_version() const { return photo_version_; }  ///< grows with every photo
 

@@ -53,6 +53,15 @@ TEST_F(Folder, FreshRunDirectoriesNeverCollide) {
   EXPECT_FALSE(fs::exists(second));
 }
 
+TEST_F(Folder, ARunsDirectoryNamesItsPhotoHoweverOftenItIsGoneOnFrom) {
+  const fs::path first = fresh_run_directory(path_, "oak door-2", "bump");
+  fs::create_directories(first);
+  const fs::path second = fresh_run_directory(path_, "oak door-2", "bump");
+  EXPECT_EQ(photo_name_of(first), "oak door-2");
+  EXPECT_EQ(photo_name_of(second), "oak door-2");
+  EXPECT_EQ(photo_name_of(path_ / "my-bump-run"), "my-bump-run");
+}
+
 TEST_F(Folder, RunsGoWhereTheDesktopKeepsData) {
   setenv("XDG_DATA_HOME", path_.c_str(), 1);
   EXPECT_EQ(default_runs_directory(), path_ / "patina" / "runs");
