@@ -72,7 +72,8 @@ std::string with_table(const std::string& page, const std::string& command, cons
   const std::string first = "<!-- " + command + " -->\n", last = "<!-- /" + command + " -->\n";
   const std::string part = first + table + last;
   const auto begin = page.find(first), end = page.find(last);
-  if (begin == std::string::npos || end == std::string::npos || end < begin) return part;
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    return page.empty() ? part : page + "\n" + part;
   return page.substr(0, begin) + part + page.substr(end + last.size());
 }
 

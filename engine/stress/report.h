@@ -16,7 +16,7 @@ std::string cell_text(const Cell& cell);
 std::string report_table(const std::vector<Cell>& cells);
 
 /// A page with the table in place of what stood between its lines "<!-- COMMAND -->" and "<!-- /COMMAND -->";
-/// the table alone, between them, where the page has no such lines.
+/// between them at its end where the page has no such lines.
 /// @param command  that made the table
 std::string with_table(const std::string& page, const std::string& command, const std::string& table);
 

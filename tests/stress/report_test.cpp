@@ -40,7 +40,8 @@ TEST(Report, replaces_the_table_of_a_page_and_leaves_the_rest) {
   const std::string made = with_table(page, "a", "new\n");
   EXPECT_EQ(made, "# Title\n<!-- a -->\nnew\n<!-- /a -->\nafter\n<!-- b -->\n<!-- /b -->\n");
   EXPECT_EQ(with_table(made, "a", "new\n"), made);
-  EXPECT_EQ(with_table("no marks", "a", "new\n"), "<!-- a -->\nnew\n<!-- /a -->\n");
+  EXPECT_EQ(with_table("no marks\n", "a", "new\n"), "no marks\n\n<!-- a -->\nnew\n<!-- /a -->\n");
+  EXPECT_EQ(with_table("", "a", "new\n"), "<!-- a -->\nnew\n<!-- /a -->\n");
 }
 
 TEST(Report, in_json_has_every_cell_and_null_for_what_is_no_number) {
