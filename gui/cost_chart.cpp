@@ -46,7 +46,7 @@ std::filesystem::path bundled_chart_file(const std::string& material) {
 std::optional<std::size_t> find_cost(const CostChart& chart, const RunSettings& settings) {
   const auto alike = [&](const DrawingCost& cost) {
     const ChartSetting& s = cost.setting;
-    const bool own_posterior = s.resolution == 0 && s.summary.empty();
+    const bool own_posterior = s.resolution == 0 && s.summary.empty() && s.proposals == 0;
     return own_posterior && s.errors == settings.errors && s.kernel == settings.kernel &&
            s.metric == settings.metric && s.discrete == settings.discrete && s.chains == settings.chains &&
            s.alpha == settings.alpha && s.refresh == settings.refresh &&

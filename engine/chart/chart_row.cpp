@@ -61,6 +61,7 @@ const std::vector<Column<ChartSetting>>& setting_columns() {
       column("alpha", &ChartSetting::alpha),
       column("refresh", &ChartSetting::refresh),
       column("path_length", &ChartSetting::path_length),
+      column("proposals", &ChartSetting::proposals),
   };
   return columns;
 }

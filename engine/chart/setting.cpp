@@ -41,8 +41,14 @@ class Matrix {
 
   void add_resolution(int divisor) {
     const int resolution = target_.resolution / divisor;
-    if (resolution >= target_.least_resolution && resolution < target_.resolution)
+    if (can_look_at(resolution))
       add(std::to_string(resolution) + " pixels", &ChartSetting::resolution, resolution);
+  }
+
+  void add_proposals(int divisor) {
+    const int resolution = target_.resolution / divisor;
+    if (can_look_at(resolution))
+      add("proposed at " + std::to_string(resolution) + " pixels", &ChartSetting::proposals, resolution);
   }
 
   void add_calibrated() {
@@ -52,6 +58,10 @@ class Matrix {
   std::vector<ChartSetting> settings() const { return settings_; }
 
  private:
+  bool can_look_at(int coarser) const {
+    return coarser >= target_.least_resolution && coarser < target_.resolution;
+  }
+
   ChartTarget target_;
   std::vector<ChartSetting> settings_;
 };
@@ -73,6 +83,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add_refreshes({"0.25", "0.75"});
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
+  matrix.add_proposals(2);
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
 }
@@ -88,6 +99,7 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
   for (const int warmup : {300, 700, 1500, 3000})
     matrix.add("warm-up " + std::to_string(warmup), &ChartSetting::warmup, warmup);
   for (const int divisor : {2, 4}) matrix.add_resolution(divisor);
+  for (const int divisor : {2, 4}) matrix.add_proposals(divisor);
   for (const char* summary : {"means", "rings", "gram"})
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");

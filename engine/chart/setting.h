@@ -20,8 +20,13 @@ struct ChartSetting {
   int chains = 0;
   int warmup = 0;  ///< iterations of each chain
   double alpha = 0, refresh = 0, path_length = 0;
+  int proposals =
+      0;  ///< pixels a side of the posterior that proposes (make_two_stage); 0: there is one stage
   bool operator==(const ChartSetting&) const = default;
 };
+
+/// Transitions that make a proposal, where another posterior proposes.
+inline constexpr int kMovesAProposal = 4;
 
 inline constexpr const char* kDefaultSetting = "default";
 

@@ -11,6 +11,7 @@
 #include "engine/chart/metered_density.h"
 #include "engine/error.h"
 #include "engine/run/chain_start.h"
+#include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/sample.h"
 
@@ -124,7 +125,20 @@ class Running {
       return overdispersed_start(target, mode, laplace, rng).position;
     };
     const Metric first(restricted(laplace.covariance(), settings.metric));
-    sample(target, *problem_.kernel(setting_, target), settings, start, first);
+    if (setting_.proposals == 0)
+      sample(target, *problem_.kernel(setting_, target), settings, start, first);
+    else
+      sample(target, *two_stage(), settings, start, first);
+  }
+
+  /// The setting's kernel on the posterior that proposes; the caller's target decides.
+  std::unique_ptr<Kernel> two_stage() {
+    ChartSetting coarse = setting_;
+    coarse.resolution = setting_.proposals;
+    proposer_ = std::move(problem_.targets(coarse).back());
+    metered_.push_back(std::make_unique<MeteredDensity>(*proposer_, meter_));
+    const LogDensity& cheap = *metered_.back();
+    return make_two_stage(problem_.kernel(setting_, cheap), cheap, kMovesAProposal);
   }
 
   const ChartProblem& problem_;
@@ -135,6 +149,7 @@ class Running {
   double processor_start_ = processor_seconds();
   Meter meter_;
   std::vector<std::unique_ptr<LogDensity>> targets_ = problem_.targets(setting_);
+  std::unique_ptr<LogDensity> proposer_;  ///< where there are two stages
   std::vector<std::unique_ptr<MeteredDensity>> metered_;
 };
 

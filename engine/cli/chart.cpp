@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/chart/chart.h"
 #include "engine/chart/photo_problem.h"
@@ -23,6 +24,7 @@ namespace {
 struct Options {
   std::filesystem::path photo, out;
   std::string preset = "quick";
+  std::vector<std::string> only;  ///< empty: all of the preset
   RunSettings run;
   CaptureArguments capture;
   std::uint64_t seed = 1;
@@ -60,11 +62,28 @@ PhotoProblem problem_of(const Options& options) {
               std::to_string(z_seed)};
 }
 
+/// The default and those that are asked for. @throws UserError for a name that there is not
+std::vector<ChartSetting> chosen(std::vector<ChartSetting> settings, const std::vector<std::string>& only) {
+  const auto is_asked_for = [&](const ChartSetting& s) { return std::ranges::count(only, s.name) > 0; };
+  for (const std::string& name : only)
+    if (std::ranges::find(settings, name, &ChartSetting::name) == settings.end()) {
+      std::string known;
+      for (const ChartSetting& setting : settings)
+        known += (known.empty() ? "'" : ", '") + setting.name + "'";
+      throw UserError("There is no setting '" + name + "' for this target: use some of " + known + ".");
+    }
+  if (!only.empty())
+    std::erase_if(settings,
+                  [&](const ChartSetting& s) { return s.name != kDefaultSetting && !is_asked_for(s); });
+  return settings;
+}
+
 int chart(const Options& options) {
   check(options);
   use_tensor_threads(hardware_threads());
   const PhotoProblem problem = problem_of(options);
-  const std::vector<ChartSetting> settings = preset_settings(options.preset, problem.target());
+  const std::vector<ChartSetting> settings =
+      chosen(preset_settings(options.preset, problem.target()), options.only);
   const auto gold_kinds = std::ssize(gold_settings(settings.front()));
   ChartPlan plan = make_plan(settings, options.seed, 60 * options.minutes_per_setting / options.repeats,
                              options.draws, 60 * options.gold_minutes / gold_kinds, options.draws);
@@ -94,9 +113,14 @@ void add_chart(CLI::App& app, Command& chosen) {
           "Folder for chart.csv, chart.svg, chart.png, waiting.* and gold/; what it has is not made again")
       ->type_name("DIR")
       ->required();
-  command.add_option("--preset", options->preset, "Settings to try: quick (8) or full (about 35)")
+  command.add_option("--preset", options->preset, "Settings to try: quick (9) or full (about 35)")
       ->check(CLI::IsMember(chart_presets()))
       ->capture_default_str();
+  command
+      .add_option(
+          "--only", options->only,
+          "A setting of the preset to try beside the default, and no others but those of further --only")
+      ->type_name("NAME");
   command.add_option("--seed", options->seed, "Seed of everything drawn")
       ->capture_default_str()
       ->check(seed_problem);

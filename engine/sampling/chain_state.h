@@ -21,6 +21,7 @@ enum class MoveKind { continuous, refresh, discrete };
 struct TransitionInfo {
   MoveKind move = MoveKind::continuous;
   double accept_probability = 0;  ///< of NUTS: averaged over its trajectory, as in Stan
+  double second_stage = 1;        ///< probability that the target took what a cheaper density proposed
   bool accepted = false;          ///< of NUTS: the point drawn is not the one it started from
   bool divergent = false;  ///< met a log density that is not finite, or one that along the gradient fell,
                            ///< or an energy that spanned, more than 1000

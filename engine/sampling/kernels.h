@@ -56,6 +56,16 @@ std::unique_ptr<Kernel> make_smooth_block(std::unique_ptr<Kernel> kernel);
 /// own, since the map's Jacobian is part of the density. Without a map it is the kernel itself.
 std::unique_ptr<Kernel> make_straightened(std::unique_ptr<Kernel> kernel);
 
+/// Delayed acceptance (Christen & Fox 2005): transitions of a kernel under a cheap density propose where to
+/// go, and the target, evaluated once, takes or refuses it by how much more it rises there than the cheap
+/// one. Exact however poor the cheap density is; worth it where it is nearly the target's. A trajectory costs
+/// cheap gradients only.
+/// @param kernel  reversible, as all but nuts are   @param cheap  of the target's coordinates; outlives the
+/// kernel
+/// @param moves   transitions a proposal; several iid choices of a mixture are reversible together
+/// @throws std::invalid_argument unless moves >= 1
+std::unique_ptr<Kernel> make_two_stage(std::unique_ptr<Kernel> kernel, const LogDensity& cheap, int moves);
+
 std::vector<std::string> kernel_names();
 
 /// "joint": make_discrete_move(); "single": make_single_discrete_move().

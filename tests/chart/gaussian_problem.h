@@ -15,7 +15,8 @@ namespace patina {
 
 /// A target whose every moment is known: a level with probabilities 0.5, 0.3, 0.2, and three coordinates that
 /// are normal given it, the first shifted by the level. In the settings' "biased" summary the second
-/// coordinate's mean is off by kBias of its sds.
+/// coordinate's mean is off by kBias of its sds; of any resolution that a setting asks for all means are off
+/// by half of that.
 class GaussianProblem final : public ChartProblem {
  public:
   static constexpr double kBias = 0.4;
@@ -31,6 +32,7 @@ class GaussianProblem final : public ChartProblem {
 
   std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override {
     Eigen::VectorXd mean = this->mean();
+    if (setting.resolution > 0) mean += 0.5 * kBias * covariance().diagonal().cwiseSqrt();
     if (setting.summary == "biased") mean[1] += kBias * std::sqrt(covariance()(1, 1));
     const GaussianTarget gaussian(mean, covariance());
     const auto evaluate = [=, this](Position position) {

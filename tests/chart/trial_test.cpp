@@ -87,6 +87,24 @@ TEST(Trial, of_calibrated_errors_learns_its_target_in_place_of_a_search) {
   EXPECT_NEAR(trial.draws().continuous[0].mean(), known.true_mean(0), 0.25 * known.true_sd(0));
 }
 
+TEST(Trial, draws_from_the_target_where_a_posterior_beside_it_proposes) {
+  ChartSetting setting = quick_setting();
+  setting.proposals = 16;
+  const GaussianProblem problem;
+  const Trial trial = run_trial(problem, setting, {.seed = 3, .draws = 4000, .threads = 2});
+  EXPECT_EQ(trial.evaluations, problem.evaluations());
+  // What proposes is off by 0.2 sds; 16,000 draws in all know a mean to 0.02.
+  for (Eigen::Index i = 0; i < 3; ++i)
+    EXPECT_NEAR(trial.draws().continuous[static_cast<std::size_t>(i)].mean(), problem.true_mean(i),
+                0.1 * problem.true_sd(i))
+        << i;
+  setting.proposals = 0;
+  setting.resolution = 16;
+  const Trial beside = run_trial(problem, setting, {.seed = 3, .draws = 4000, .threads = 2});
+  EXPECT_GT(beside.draws().continuous[1].mean(), problem.true_mean(1) + 0.1 * problem.true_sd(1))
+      << "drawn from what proposes, the means are off";
+}
+
 TEST(Trial, whose_time_is_over_while_it_learns_has_no_draws) {
   ChartSetting setting = quick_setting();
   setting.errors = "calibrated";

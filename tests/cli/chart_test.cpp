@@ -37,6 +37,20 @@ TEST_F(ChartCommand, ChartsAMaterialOfKnownTruthAndMakesNothingTwice) {
   EXPECT_EQ(contents("chart/chart.csv"), table);
 }
 
+TEST_F(ChartCommand, TriesOnlyWhatIsAskedForBesideTheDefault) {
+  std::vector<std::string> arguments = small_chart("two");
+  arguments.insert(arguments.end(), {"--only", "proposed at 16 pixels"});
+  ASSERT_EQ(run(arguments).status, 0);
+  const std::string table = contents("two/chart.csv");
+  EXPECT_NE(table.find("\ndefault,"), std::string::npos);
+  EXPECT_NE(table.find("\nproposed at 16 pixels,"), std::string::npos);
+  EXPECT_EQ(table.find("\nmala,"), std::string::npos);
+  arguments.back() = "proposed by an oracle";
+  const Finished refused = run(arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("'mala'"), std::string::npos) << refused.err;
+}
+
 TEST_F(ChartCommand, RefusesWhatItCannotChartInOneSentence) {
   const auto refusal = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "chart");

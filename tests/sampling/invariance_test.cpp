@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/sampling/function_density.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/leapfrog.h"
 #include "engine/sampling/metropolis.h"
@@ -237,6 +238,54 @@ TEST(Invariance, is_lost_without_the_reverse_proposal) {
 
 TEST(Invariance, is_lost_without_a_decision_at_the_end_of_a_path) {
   EXPECT_GT(after_transitions(PathWithoutDecision(), SkewedTarget(), 8).worst, 1);
+}
+
+/// SkewedTarget seen badly: bent, tilted, and with other weights of levels.
+FunctionDensity poor_likeness() {
+  return {3,
+          [](const Position& p) {
+            Evaluation evaluation = SkewedTarget().evaluate(p);
+            const Eigen::VectorXd& x = p.continuous;
+            evaluation.log_density +=
+                0.5 * std::sin(x[0]) + 0.3 * x[1] - 0.05 * x[2] * x[2] + 0.4 * p.discrete[0];
+            evaluation.gradient += Eigen::Vector3d(0.5 * std::cos(x[0]), 0.3, -0.1 * x[2]);
+            return evaluation;
+          },
+          {3}};
+}
+
+TEST(Invariance, holds_where_a_poor_likeness_of_the_target_proposes) {
+  const SkewedTarget target;
+  const FunctionDensity cheap = poor_likeness();
+  for (const char* name : {"mh", "mala", "hmc"})
+    for (const int moves : {1, 4}) {
+      const auto kernel = make_two_stage(make_kernel(name, cheap, 0.7, 0.3), cheap, moves);
+      const Outcome outcome = after_transitions(*kernel, target, 2);
+      EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name << ", " << moves;
+      EXPECT_GT(outcome.moved, 0.2) << name;
+      EXPECT_LT(outcome.accepted, 0.95) << name;
+    }
+}
+
+/// Goes where a likeness of the target leads and asks nobody: a plausible mistake.
+class OneStage final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    ChainState there = state_at(cheap_, state.position);
+    for (int i = 0; i < 4; ++i) kernel_->step(cheap_, settings, there, rng);
+    state = state_at(target, there.position);
+    return {};
+  }
+  double target_acceptance() const override { return 0.65; }
+
+ private:
+  FunctionDensity cheap_ = poor_likeness();
+  std::unique_ptr<Kernel> kernel_ = make_kernel("hmc", cheap_, 0.7, 0.3);
+};
+
+TEST(Invariance, is_lost_where_the_likeness_decides) {
+  EXPECT_GT(after_transitions(OneStage(), SkewedTarget(), 2).worst, 1);
 }
 
 TEST(Invariance, is_lost_without_the_jacobian) {
