@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "gui/clipping.h"
 #include "gui/panels/keys.h"
@@ -64,6 +65,11 @@ void PhotoPanel::follow(const Session& session) {
   clipped_ = Texture::picture(gl_, overlay);
   clipped_share_ = covered_share(overlay);
   version_ = session.photo_version();
+  // Another part of the same photo: the square that is being moved stays in hand.
+  const std::tuple photo(session.photo_file(), session.photo().original_width,
+                         session.photo().original_height);
+  if (photo == followed_) return;
+  followed_ = photo;
   handle_ = CropHandle::none;
   by_keys_.reset();
 }

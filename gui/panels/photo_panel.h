@@ -1,7 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "gui/crop_drag.h"
 #include "gui/gl/objects.h"
@@ -52,9 +55,10 @@ class PhotoPanel {
   std::optional<Texture> picture_;  ///< the whole photo, or the square where there is nothing else
   std::optional<Texture> clipped_;  ///< an overlay of the same size
   std::optional<Texture> compared_;
-  int version_ = 0;                             ///< of the photo in picture_
-  std::pair<int, int> compared_version_{0, 0};  ///< run and photo
-  double clipped_share_ = 0;                    ///< of the picture's pixels
+  int version_ = 0;                                       ///< of the photo in picture_
+  std::tuple<std::filesystem::path, int, int> followed_;  ///< file, width and height of the photo in picture_
+  std::pair<int, int> compared_version_{0, 0};            ///< run and photo
+  double clipped_share_ = 0;                              ///< of the picture's pixels
   bool shows_clipped_ = false;
   std::optional<Texture> seen_;
   std::pair<int, int> seen_version_{0, 0};  ///< photo and pixels a side

@@ -95,6 +95,25 @@ TEST_F(AppKeyboard, MarksExactlyTheDrawsInABoxWithoutAMouse) {
   EXPECT_TRUE(app_.session().model().selected()) << "arrows walk through the draws again";
 }
 
+TEST_F(AppKeyboard, KeepsTheSquareInHandWhenTheOneBeforeHasBeenRead) {
+  const std::filesystem::path wide = folder_.path() / "wide.png";
+  write_image(wide, Image(160, 80, 3));
+  app_.open(wide);
+  ASSERT_TRUE(frames_until([&] { return app_.session().has_photo(); }));
+  press('Q');
+  tap(ImGuiKey_LeftArrow);
+  app_.session().recrop(Photo(app_.session().photo()));
+  frames(2);
+  tap(ImGuiKey_LeftArrow);
+  tap(ImGuiKey_Enter);
+  EXPECT_EQ(app_.session().chosen_crop(), (PhotoCrop{36, 0, 80}));
+  press('Q');
+  app_.open(photo_);
+  ASSERT_TRUE(frames_until([&] { return app_.session().photo_name() == "oak"; }));
+  frames(2);
+  EXPECT_FALSE(app_.photo_panel().takes_keys()) << "it was of another photo";
+}
+
 TEST_F(AppKeyboard, MovesAndResizesTheSquareOfThePhotoWithoutAMouse) {
   const std::filesystem::path wide = folder_.path() / "wide.png";
   write_image(wide, Image(160, 80, 3));
