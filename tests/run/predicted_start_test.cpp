@@ -12,8 +12,9 @@
 namespace patina {
 namespace {
 
+/// Irregularities that are not rare ones themselves: a hundredth of all photos are taken for such.
 Image photo_of_bump() {
-  const Renderer renderer("bump", 2, Capture{});
+  const Renderer renderer("bump", 3, Capture{});
   return renderer.render(prior_location(renderer.table()), 64);
 }
 
