@@ -76,11 +76,12 @@ class Adviser {
     const auto n = static_cast<double>(pooled_.rows());
     const Eigen::VectorXd own =
         pooled_.col(static_cast<Eigen::Index>(i)).array() - pooled_.col(static_cast<Eigen::Index>(i)).mean();
+    const double independent = std::min(n, effective(i));
     for (Eigen::Index j = 0; j < pooled_.cols(); ++j) {
       if (j == static_cast<Eigen::Index>(i)) continue;
       const Eigen::VectorXd other = pooled_.col(j).array() - pooled_.col(j).mean();
       const double r = own.dot(other) / (own.norm() * other.norm());
-      const double error = (1 - r * r) / std::sqrt(std::min(n, effective(i)));
+      const double error = (1 - r * r) / std::sqrt(independent);
       if (!(std::abs(r) - 2 * error > std::max(kRedundant, std::abs(advice.correlation)))) continue;
       advice.redundant_with = table_.continuous[static_cast<std::size_t>(j)].name;
       advice.correlation = r;

@@ -107,8 +107,8 @@ void Chain::begin() {
   };
   const auto metric =
       std::make_shared<const Metric>(restricted(plan_.laplace->covariance(), metric_kind(settings.metric)));
-  at_.climber =
-      begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup.value() > 0, start, rng_);
+  at_.climber = begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup.value() > 0,
+                            start, rng_);
   begun_ = true;
 }
 

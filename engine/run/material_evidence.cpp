@@ -97,6 +97,7 @@ void MaterialEvidence::measure(int threads, RunControl& control,
                                const std::function<void(double)>& progress) {
   const Stopwatch stopwatch(seconds_);
   const ControlledDensity target(posterior_, control);
+  constexpr double kRemembered = 0.6;  // of where they stood: islands that agree say nothing then
   SequentialSettings sequential;
   sequential.particles = settings_.particles;
   sequential.correlation = 0.3;
@@ -106,7 +107,9 @@ void MaterialEvidence::measure(int threads, RunControl& control,
   sequential.enter_thread = [] { use_tensor_threads(1); };
   sequential.reached = progress;
   const auto kernel = make_kernel("mala", target, 0.8, 0.25);
-  evidence_ = sample_sequentially(target, *kernel, sequential).evidence;
+  const SequentialResult found = sample_sequentially(target, *kernel, sequential);
+  evidence_ = found.evidence;
+  if (found.worst_correlation > kRemembered) evidence_.error = std::numeric_limits<double>::quiet_NaN();
 }
 
 void MaterialEvidence::compare_samples() {

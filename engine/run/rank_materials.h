@@ -38,9 +38,10 @@ struct RankedMaterial {
   int parameters = 0;  ///< free ones, discrete included: of two that explain alike, fewer are preferred
   /// Natural logarithm of the likelihood's mean over the prior, constants that all materials share dropped.
   double log_evidence = 0;
-  std::optional<double> error;  ///< its Monte Carlo standard deviation; none of the first cut's (Laplace)
-  double probability = 0;       ///< among the materials compared, all equally likely beforehand
-  ParameterValues match;        ///< the best that was found
+  /// Its Monte Carlo standard deviation; none of the first cut's (Laplace), nor where particles hardly moved.
+  std::optional<double> error;
+  double probability = 0;  ///< among the materials compared, all equally likely beforehand
+  ParameterValues match;   ///< the best that was found
   /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
   /// one that does, above kPoorMatch of one that does not.
   /// None of a glance.

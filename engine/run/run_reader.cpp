@@ -46,17 +46,26 @@ std::vector<Draw> RunReader::take_draws() {
   // In this order, so that a writer that ended in between left nothing unread.
   writer_lives_ = is_locked(lock_file(directory_));  // also of a run that ended: it may be taken up again
   const bool ended = has_ended(manifest_.phase) && !writer_lives_;
-  if (!ended) manifest_ = read_manifest(directory_);
+  if (!ended) read_again();
   std::vector<Draw> draws;
   for (int k = 0; k < manifest_.settings.chains; ++k) read_chain(k, draws);
   if (caught_up_ && !draws.empty()) {
     // Draws after the end are of a run that was taken up, and ended, again between two looks.
-    if (ended) manifest_ = read_manifest(directory_);
+    if (ended) read_again();
     draw_rate_.count(static_cast<std::int64_t>(draws.size()), now);
   }
   caught_up_ |= !more_;
   last_look_ = now;
   return draws;
+}
+
+void RunReader::read_again() {
+  Manifest now = read_manifest(directory_);
+  const bool same = now.settings.chains == manifest_.settings.chains &&
+                    now.photo_sha256 == manifest_.photo_sha256 &&
+                    column_names(now.table) == column_names(manifest_.table);
+  if (!same) throw UserError("Another run has been put in " + directory_.string() + ": open it again.");
+  manifest_ = std::move(now);
 }
 
 void RunReader::read_chain(int chain, std::vector<Draw>& draws) {

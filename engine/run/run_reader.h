@@ -41,6 +41,7 @@ class RunReader final : public DrawSource {
     std::int64_t rows = 0;
   };
 
+  void read_again();  ///< the manifest. @throws UserError for another run's
   void read_chain(int chain, std::vector<Draw>& draws);
   double read_fraction() const;
   void take_in(const Draw& draw);

@@ -1,7 +1,9 @@
 #include "engine/run/sampler_run.h"
 
+#include <cmath>
 #include <deque>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "engine/error.h"
@@ -161,16 +163,17 @@ void SamplerRun::stop() { shared_.control.stop(); }
 void SamplerRun::write_manifest() { write_file_atomically(manifest_file(directory_), to_json(manifest_)); }
 
 void SamplerRun::coordinate() noexcept {
-  StopWatcher watcher(settings_, table_, directory_, shared_);
+  std::optional<StopWatcher> watcher;
   RunPhase phase = RunPhase::finished;
   try {
+    watcher.emplace(settings_, table_, directory_, shared_);
     run_to_the_end();
   } catch (const RunStopped&) {
     phase = RunPhase::stopped;
   } catch (const std::exception& error) {
     shared_.fail(error.what());
   }
-  const auto [rule, evidence] = watcher.end();
+  const auto [rule, evidence] = watcher ? watcher->end() : StopWatcher::Verdict();
   manifest_.evidence = evidence;
   if (const std::string failure = shared_.failure(); !failure.empty())
     conclude(RunPhase::failed, failure);
@@ -209,12 +212,22 @@ ModeFound SamplerRun::find_or_recall() {
   }
   keep_the_finest();
   if (found_->errors) use(*found_->errors);
+  check_is_where_it_was();
   shared_.edit_status([&](RunStatus& status) {
     status.search_fraction = 1;
     status.best = posteriors_.back()->values(found_->mode.position);
     status.best_lp = found_->mode.evaluation.log_density;
   });
   return *found_;
+}
+
+/// The draws that there are would be of one posterior, those to come of another.
+void SamplerRun::check_is_where_it_was() const {
+  constexpr double kRounding = 1e-2;  // of log densities on other threads or another machine
+  const double was = found_->mode.evaluation.log_density;
+  const double is = posteriors_.back()->value(found_->mode.position).log_density;
+  if (!(std::abs(is - was) <= kRounding * (1 + std::abs(was))))
+    refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
 }
 
 void SamplerRun::keep_the_finest() {
@@ -297,7 +310,11 @@ void SamplerRun::sample(const ModeFound& found) {
   for (int k = 0; k < settings_.chains; ++k) add_chain(plan, meeting, chains);
   {
     std::vector<std::jthread> threads;
-    for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+    try {
+      for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+    } catch (const std::system_error&) {  // those that run wait for all: they are told to end
+      shared_.fail("The system has no threads left for the chains: ask for fewer, or close other programs.");
+    }
   }
   take_stock(chains);
   // A stop that came after the last draw changes nothing.

@@ -52,6 +52,7 @@ class SamplerRun final : public DrawSource {
   ModeFound find_or_recall();
   std::vector<Position> guesses() const;  ///< where the search looks first
   ModeFound search();
+  void check_is_where_it_was() const;  ///< @throws UserError
   void keep_the_finest();
   ModeFound calibrate();  ///< in place of a search: the photos of the prior that it begins with are one
   void show(const Position& position);

@@ -47,10 +47,11 @@ std::vector<Star> read_stars(const std::filesystem::path& directory) {
     format = json.at("format").get<int>();
     if (format == kFormat) return parse(json);
   } catch (const std::exception&) {
-    throw UserError("The stars in " + file.string() + " cannot be read: the file is damaged.");
+    throw UserError("The stars in " + file.string() +
+                    " cannot be read, for the file is damaged: restore it from a copy, or delete it.");
   }
   throw UserError("The stars in " + file.string() + " were written by another version of Patina (format " +
-                  std::to_string(format) + ").");
+                  std::to_string(format) + "): open the run with that version.");
 }
 
 void write_stars(const std::filesystem::path& directory, const std::vector<Star>& stars) {

@@ -43,7 +43,7 @@ std::string worst_direction(const RunSummary& summary) {
 // A quantity that never changed has no R-hat: it is no evidence either way.
 bool is_judged(const QuantitySummary& q) {
   const bool left_open = q.sd_over_prior_sd > kNotIdentified && q.rhat < kApart;
-  return std::isfinite(q.rhat) && !left_open;
+  return !std::isnan(q.rhat) && !left_open;
 }
 
 const QuantitySummary* furthest_from_good(const RunSummary& summary) {

@@ -81,7 +81,7 @@ class Search {
     if (has_jagged() && targets_.size() > 1) walk_all(results, targets_.size() - 1);
     if (stopped()) return best_so_far();
     report(results.front(), total_ - done_);
-    return {results.front(), results};
+    return {results.front(), distinct(results, places)};  // climbs may have met
   }
 
  private:

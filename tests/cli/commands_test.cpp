@@ -173,7 +173,7 @@ TEST_F(Commands, AnInterruptedFitKeepsItsDrawsAndSucceeds) {
 
 TEST_F(Commands, AFullDiskPausesTheFitWhichGoesOnWhenThereIsRoom) {
   std::vector<std::string> arguments = small_fit(photo(), "run");
-  *(std::ranges::find(arguments, "--draws") + 1) = "200";
+  *(std::ranges::find(arguments, "--draws") + 1) = "600";
   CliProcess fit(arguments, folder_);
   ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(path("run/chain-2.csv")); }));
   const rlimit little{20'000, RLIM_INFINITY}, plenty{RLIM_INFINITY, RLIM_INFINITY};
@@ -182,7 +182,7 @@ TEST_F(Commands, AFullDiskPausesTheFitWhichGoesOnWhenThereIsRoom) {
   ASSERT_EQ(::prlimit(fit.id(), RLIMIT_FSIZE, &plenty, nullptr), 0);
   const Finished finished = fit.wait();
   EXPECT_EQ(finished.status, 0) << finished.err;
-  EXPECT_EQ(json({"summarize", path("run"), "--json"})["draws"], 400);
+  EXPECT_EQ(json({"summarize", path("run"), "--json"})["draws"], 1200);
 }
 
 }  // namespace

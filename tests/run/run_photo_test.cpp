@@ -64,6 +64,20 @@ TEST_F(RunPhotoTest, LetsARunGoOnToTheSameDrawsWithoutTheFileThatWasGiven) {
     EXPECT_EQ(rows_of(chain_file(directory(), chain)), rows_of(chain_file(folder_ / "undisturbed", chain)));
 }
 
+TEST_F(RunPhotoTest, ThatWasChangedMakesNoMoreDraws) {
+  RunSettings asked = settings();
+  asked.draws = 5;
+  draws_to_the_end(*start_run(asked, fine_photo(), directory()));
+  Image darker = read_run_photo(directory());
+  for (float& value : darker.pixels) value *= 0.8f;
+  write_image(photo_file(directory()), darker, PixelDepth::u16);
+  asked.draws = 10;
+  const auto run = resume_run(asked, directory());
+  draws_to_the_end(*run);
+  EXPECT_EQ(run->status().phase, RunPhase::failed);
+  EXPECT_NE(run->status().message.find("photo.png"), std::string::npos) << run->status().message;
+}
+
 TEST_F(RunPhotoTest, OfAFolderWithoutARunIsRefused) {
   EXPECT_THROW(resume_run(settings(), directory()), UserError);
   EXPECT_FALSE(std::filesystem::exists(directory())) << "nothing is begun there";

@@ -1,5 +1,8 @@
 #include <algorithm>
 
+#include "engine/io/file.h"
+#include "engine/run/manifest.h"
+#include "engine/run/run_files.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -156,6 +159,23 @@ TEST_F(OpenRun, FollowsARunThatIsTakenUpAgainAfterItsEnd) {
     return more == 2u * 25 && reader->status().phase == RunPhase::finished;
   })) << more;
   EXPECT_EQ(reader->settings().draws, 55);
+}
+
+TEST_F(OpenRun, ARunThatIsPutInItsPlaceMeanwhileIsNotTakenForIt) {
+  draws_to_the_end(*start(settings()));
+  Manifest manifest = read_manifest(directory());
+  manifest.phase = RunPhase::sampling;
+  write_file_atomically(manifest_file(directory()), to_json(manifest));
+  const auto reader = open_run(directory());
+  EXPECT_EQ(reader->take_draws().size(), 2u * (40 + 30));
+  manifest.settings.chains = 5;
+  write_file_atomically(manifest_file(directory()), to_json(manifest));
+  std::string sentence;
+  EXPECT_TRUE(comes_true([&] {
+    sentence = user_error([&] { reader->take_draws(); });
+    return !sentence.empty();
+  }));
+  EXPECT_NE(sentence.find("Another run"), std::string::npos) << sentence;
 }
 
 TEST_F(OpenRun, RefusesWhatIsNoRun) {

@@ -17,7 +17,15 @@ std::string without_times(const std::filesystem::path& file) {
   return text.substr(0, text.find("#  Elapsed Time"));
 }
 
-class SamplerRunTest : public RunTest {};
+class SamplerRunTest : public RunTest {
+ protected:
+  /// So that whoever looks for it, however late it gets its turn, sees it go on.
+  static RunSettings with_a_long_search() {
+    RunSettings settings = endless();
+    settings.resolution = 96;
+    return settings;
+  }
+};
 
 TEST_F(SamplerRunTest, EveryTransitionIsARowAndADrawAndIsCounted) {
   const auto run = start(settings());
@@ -143,7 +151,7 @@ TEST_F(SamplerRunTest, WhereTheSearchEndedIsWrittenDownTheBestFirst) {
 }
 
 TEST_F(SamplerRunTest, ABestPointIsShownWhileTheSearchGoesOn) {
-  const auto run = start(settings());
+  const auto run = start(with_a_long_search());
   bool early = false;
   EXPECT_TRUE(comes_true([&] {
     const RunStatus status = run->status();
@@ -194,7 +202,7 @@ TEST_F(SamplerRunTest, StopEndsTheRunAndKeepsWhatWasDrawn) {
 
 TEST_F(SamplerRunTest, StopEndsASearchAndAPausedRun) {
   for (const bool paused : {false, true}) {
-    const auto run = start_run(endless(), photo(), folder_ / (paused ? "paused" : "searching"));
+    const auto run = start_run(with_a_long_search(), photo(), folder_ / (paused ? "paused" : "searching"));
     ASSERT_TRUE(comes_true([&] { return run->status().phase == RunPhase::searching; }));
     if (paused) run->pause();
     run->stop();

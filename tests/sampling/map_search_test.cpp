@@ -111,6 +111,29 @@ TEST(SearchMap, returns_distinct_basins_best_first) {
   }
 }
 
+TEST(SearchMap, names_a_basin_once_that_several_finalists_end_in) {
+  const FunctionDensity coarse = two_modes();
+  const FunctionDensity fine{3,
+                             [](const Position& p) {
+                               return Evaluation{-0.5 * p.continuous.squaredNorm(), -p.continuous};
+                             },
+                             {2, 4}};
+  Rng rng(7);
+  MapSearchSettings settings;
+  settings.finalists = 6;
+  const auto separate = search_map({&coarse}, rng, settings).basins;
+  const auto found = search_map({&coarse, &fine}, rng, settings).basins;
+  const auto of_one_level = [](const std::vector<OptimizerResult>& basins) {
+    return std::ranges::any_of(basins, [&](const OptimizerResult& a) {
+      return std::ranges::any_of(basins, [&](const OptimizerResult& b) {
+        return &a != &b && a.position.discrete == b.position.discrete;
+      });
+    });
+  };
+  EXPECT_GT(separate.size(), 1u);
+  EXPECT_FALSE(of_one_level(found));
+}
+
 TEST(SearchMap, is_decided_by_its_seed) {
   const FunctionDensity target = two_modes();
   Rng first(8), second(8);
