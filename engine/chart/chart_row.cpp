@@ -55,6 +55,7 @@ const std::vector<Column<ChartSetting>>& setting_columns() {
       column("start", &ChartSetting::start),
       column("errors", &ChartSetting::errors),
       column("summary", &ChartSetting::summary),
+      column("precision", &ChartSetting::precision),
       column("resolution", &ChartSetting::resolution),
       column("chains", &ChartSetting::chains),
       column("warmup", &ChartSetting::warmup),

@@ -13,6 +13,7 @@
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/rng.h"
+#include "engine/summary/precision.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
@@ -44,6 +45,7 @@ std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSettin
   RunSettings settings = settings_;
   if (!setting.summary.empty()) settings.summary = setting.summary;
   if (setting.resolution > 0) settings.resolution = setting.resolution;
+  settings.precision = setting.precision;
   std::vector<std::unique_ptr<LogDensity>> targets;
   for (const int level : pyramid(settings.resolution))
     targets.push_back(std::make_unique<Posterior>(posterior_settings(settings, level), photo_));
@@ -71,7 +73,8 @@ ChartTarget PhotoProblem::target() const {
           std::max(least, kLeastResolution),
           has_jagged(*posterior_),
           !posterior_->discrete_levels().empty(),
-          true};
+          true,
+          settings_.summary.find("gram") != std::string::npos && bfloat16_pays()};
 }
 
 Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::uint64_t z_seed) {

@@ -55,6 +55,10 @@ class Matrix {
     if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
   }
 
+  void add_precision() {
+    if (target_.can_round) add<std::string>("bfloat16", &ChartSetting::precision, "bfloat16");
+  }
+
   std::vector<ChartSetting> settings() const { return settings_; }
 
  private:
@@ -84,6 +88,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
   matrix.add_proposals(2);
+  matrix.add_precision();
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
 }
@@ -103,6 +108,7 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
   for (const char* summary : {"means", "rings", "gram"})
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
+  matrix.add_precision();
   matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();
@@ -119,6 +125,7 @@ ChartSetting default_setting(bool has_jagged) {
   setting.discrete = run.discrete;
   setting.start = run.start;
   setting.errors = run.errors;
+  setting.precision = run.precision;
   setting.chains = run.chains;
   setting.warmup = run.warmup.value_or(usual_warmup(has_jagged));
   setting.alpha = run.alpha;

@@ -5,18 +5,19 @@
 
 namespace patina {
 
-/// One way of drawing from a posterior: a point of the chart. What `resolution`, `summary` and `errors`
-/// change is the posterior itself; it is judged by the target's all the same, so that what they bias shows as
-/// error.
+/// One way of drawing from a posterior: a point of the chart. What `resolution`, `summary`, `precision` and
+/// `errors` change is the posterior itself; it is judged by the target's all the same, so that what they bias
+/// shows as error.
 struct ChartSetting {
   std::string name;  ///< as it stands at the point; without comma and line break
   std::string kernel;
   std::string metric;
   std::string discrete;
-  std::string start;    ///< "map" or "prior" (engine/run/chain_start.h)
-  std::string errors;   ///< of error_names() (engine/run/run_checks.h)
-  std::string summary;  ///< empty: the target's
-  int resolution = 0;   ///< pixels a side; 0: the target's
+  std::string start;      ///< "map" or "prior" (engine/run/chain_start.h)
+  std::string errors;     ///< of error_names() (engine/run/run_checks.h)
+  std::string summary;    ///< empty: the target's
+  std::string precision;  ///< of precision_names() (engine/summary/precision.h)
+  int resolution = 0;     ///< pixels a side; 0: the target's
   int chains = 0;
   int warmup = 0;  ///< iterations of each chain
   double alpha = 0, refresh = 0, path_length = 0;
@@ -42,6 +43,7 @@ struct ChartTarget {
   bool has_jagged = false;   ///< see LogDensity::jagged()
   bool has_discrete = false;
   bool can_learn = false;  ///< see ChartProblem::learn()
+  bool can_round = false;  ///< it has a network, and bfloat16_pays()
 };
 
 /// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500

@@ -61,6 +61,10 @@ void FitOptions::add_model(CLI::App& command) {
       "NAME");
   add(command, "--network", &RunSettings::network, "Weights of the summary's network (default: bundled)",
       "FILE");
+  add(command, "--precision", &RunSettings::precision,
+      "What the network multiplies in: float32, or bfloat16, less exact and several times as fast on "
+      "processors "
+      "that are made for it");
   add(command, "--errors", &RunSettings::errors,
       "What renders may be off by: paper (set by hand) or calibrated (learnt from simulated photos, in place "
       "of a search for the best match)");

@@ -49,7 +49,8 @@ struct Posterior::Parts {
 
   Parts(const PosteriorSettings& s, const Image& photo)
       : settings(s),
-        model(make_material(s.material), make_summary(s.summary, s.network), s.capture, s.resolution),
+        model(make_material(s.material), make_summary(s.summary, s.network, precision_named(s.precision)),
+              s.capture, s.resolution),
         space(table_under(model.material->table(), s.capture), s.priors, s.fixed),
         z(std::make_shared<const Irregularities>(s.z_seed)) {
     const int least = model.summary->minimum_resolution();

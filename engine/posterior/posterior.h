@@ -26,8 +26,9 @@ struct PosteriorSettings {
   Capture capture;
   int resolution = 192;  ///< pixels a side at which renders are compared
   std::string summary = "gram";
-  std::filesystem::path network;  ///< empty: the bundled one
-  std::uint64_t z_seed = 1;       ///< fixes the irregularities for the whole run
+  std::filesystem::path network;      ///< empty: the bundled one
+  std::string precision = "float32";  ///< of the network's convolutions (engine/summary/precision.h)
+  std::uint64_t z_seed = 1;           ///< fixes the irregularities for the whole run
   // Set by hand, as in the paper: the means' as in its fitting code, the Gram matrices' to how far its own
   // fits stay from their 14 photos, on average a relative distance of 0.267. That is the error of the model,
   // which no parameters remove. A Gram matrix errs along several directions (the participation ratio of its

@@ -6,10 +6,12 @@
 
 #include "engine/error.h"
 #include "engine/io/file.h"
+#include "engine/posterior/prior_transform.h"
 #include "engine/run/manifest.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
+#include "engine/summary/precision.h"
 
 namespace patina {
 namespace {
@@ -79,6 +81,11 @@ TruncatedNormal prior(const Json& json) {
   const TruncatedNormal prior{number(json, "mean"), positive(json, "sd"), number(json, "low"),
                               number(json, "high")};
   if (!(prior.low < prior.high)) throw BadField{"a prior's low is not below its high"};
+  try {
+    PriorTransform{prior};
+  } catch (const UserError&) {
+    throw BadField{"a prior has next to no mass between its low and its high"};
+  }
   return prior;
 }
 
@@ -106,11 +113,13 @@ std::map<std::string, double> named_numbers(const Json& json, const char* key) {
   return result;
 }
 
-std::string errors(const Json& json) {
-  const std::string name = text(json, "errors");
-  const auto known = error_names();
+/// Of a setting that runs of earlier versions have none of: theirs is `usual`.
+std::string one_of(const Json& json, const char* key, const std::vector<std::string>& known,
+                   const std::string& usual) {
+  if (!json.contains(key)) return usual;
+  const std::string name = text(json, key);
   if (std::ranges::find(known, name) == known.end())
-    throw BadField{"the error model '" + name.substr(0, 40) + "' is unknown"};
+    throw BadField{"'" + std::string(key) + "' is '" + name.substr(0, 40) + "', which is unknown"};
   return name;
 }
 
@@ -120,7 +129,8 @@ RunSettings settings(const Json& json) {
   s.summary = text(json, "summary");
   s.network = text(json, "network");
   s.kernel = text(json, "kernel");
-  if (json.contains("errors")) s.errors = errors(json);
+  s.precision = one_of(json, "precision", precision_names(), s.precision);
+  s.errors = one_of(json, "errors", error_names(), s.errors);
   if (json.contains("metric")) s.metric = text(json, "metric");  // runs of the first version have none
   if (json.contains("discrete")) s.discrete = text(json, "discrete");
   s.chains = integer(json, "chains", 1, 10'000);

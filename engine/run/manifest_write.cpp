@@ -23,6 +23,7 @@ Json settings_json(const RunSettings& s) {
   return {{"resolution", s.resolution},
           {"summary", s.summary},
           {"network", s.network.string()},
+          {"precision", s.precision},
           {"errors", s.errors},
           {"kernel", s.kernel},
           {"metric", s.metric},

@@ -9,6 +9,7 @@ PosteriorSettings posterior_settings(const RunSettings& settings, int resolution
   posterior.resolution = resolution;
   posterior.summary = settings.summary;
   posterior.network = settings.network;
+  posterior.precision = settings.precision;
   posterior.z_seed = settings.z_seed;
   posterior.fixed = settings.fixed;
   posterior.priors = settings.priors;

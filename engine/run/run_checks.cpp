@@ -9,6 +9,7 @@
 #include "engine/run/chain_start.h"
 #include "engine/run/run_files.h"
 #include "engine/sampling/kernels.h"
+#include "engine/summary/precision.h"
 
 namespace patina {
 namespace {
@@ -65,6 +66,9 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
   if (!(settings.path_length > 0 && settings.path_length <= 100))
     throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
   check_name("error model", settings.errors, error_names());
+  check_name("precision", settings.precision, precision_names());
+  if (settings.precision == "bfloat16" && !bfloat16_pays())
+    throw UserError("bfloat16 is no faster than float32 on this processor: leave it at float32.");
   check_name("start", settings.start, start_names());
   check_name("kernel", settings.kernel, kernel_names());
   check_name("metric", settings.metric, metric_names());

@@ -27,7 +27,8 @@ struct RunSettings {
   int resolution = 192;  ///< pixels a side at which renders are compared with the photo
   /// Empty: the material's own; run.json holds the name in use.
   std::string summary;
-  std::filesystem::path network;  ///< empty: the bundled one
+  std::filesystem::path network;      ///< empty: the bundled one
+  std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
   /// What renders may be off by, of error_names(): "paper", set by hand; "calibrated", learnt from simulated
   /// photos (posterior/calibrate.h).
   std::string errors = "paper";

@@ -18,7 +18,9 @@ Json identity(const Manifest& manifest) {
   json["photo"].erase("warnings");
   json["alarms"] = Json::array();
   for (const char* free : {"draws", "map_only", "stop"}) json["settings"].erase(free);
-  if (json["settings"]["errors"] == "paper") json["settings"].erase("errors");  // as before there were others
+  // As before there were others.
+  if (json["settings"]["errors"] == "paper") json["settings"].erase("errors");
+  if (json["settings"]["precision"] == "float32") json["settings"].erase("precision");
   json["settings"].erase("network");  // its checksum counts, not where it lies
   return json.flatten();
 }

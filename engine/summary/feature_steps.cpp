@@ -26,12 +26,18 @@ at::Tensor empty_map(const at::Tensor& like, std::int64_t channels, std::int64_t
 
 features::Shape shape_of(const at::Tensor& x) { return {x.size(2), x.size(3), x.size(1)}; }
 
-/// Left to itself, the library takes small maps apart by a slow path that leaves channels-last.
-at::Tensor library_convolution(const at::Tensor& x, const at::Tensor& weight, const at::Tensor& bias,
+/// In the weight's precision, to float32. Left to itself, the library takes small maps apart by a slow path
+/// that leaves channels-last.
+at::Tensor library_convolution(const at::Tensor& map, const at::Tensor& weight, const at::Tensor& bias,
                                std::int64_t padding) {
+  const at::Tensor x = map.to(weight.scalar_type());
   if (at::globalContext().hasMKLDNN() && at::globalContext().userEnabledMkldnn())
-    return at::mkldnn_convolution(x, weight, bias, {padding, padding}, {1, 1}, {1, 1}, 1);
-  return at::conv2d(x, weight, bias, 1, padding);
+    return at::mkldnn_convolution(x, weight, bias, {padding, padding}, {1, 1}, {1, 1}, 1).to(at::kFloat);
+  return at::conv2d(x, weight, bias, 1, padding).to(at::kFloat);
+}
+
+at::ScalarType scalar_type(Precision precision) {
+  return precision == Precision::bfloat16 ? at::kBFloat16 : at::kFloat;
 }
 
 at::Tensor reflected(const at::Tensor& x, std::int64_t border) {
@@ -100,10 +106,10 @@ struct AveragePool : torch::autograd::Function<AveragePool> {
 }  // namespace
 
 FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, bool with_relu,
-                                     bool by_reflection)
-    : weight(w),
-      bias(b),
-      mirrored(w.flip({2, 3}).transpose(0, 1).contiguous()),
+                                     bool by_reflection, Precision precision)
+    : weight(w.to(scalar_type(precision))),
+      bias(b.to(scalar_type(precision))),
+      mirrored(weight.flip({2, 3}).transpose(0, 1).contiguous()),
       relu(with_relu),
       reflect(by_reflection) {}
 

@@ -2,9 +2,12 @@
 
 #include <ATen/core/Tensor.h>
 
+#include "engine/summary/precision.h"
+
 namespace patina {
 
-/// A convolution of a feature map with its frozen weights, prepared for both directions.
+/// A convolution of a feature map with its frozen weights, prepared for both directions. Maps are rounded to
+/// the weights' precision on their way in.
 struct FrozenConvolution {
   at::Tensor weight;    ///< [out, in, k, k], k odd
   at::Tensor bias;      ///< [out]
@@ -12,7 +15,8 @@ struct FrozenConvolution {
   bool relu = true;
   bool reflect = true;  ///< padding by reflection, not with zeros; either keeps the size
 
-  FrozenConvolution(const at::Tensor& weight, const at::Tensor& bias, bool relu, bool reflect);
+  FrozenConvolution(const at::Tensor& weight, const at::Tensor& bias, bool relu, bool reflect,
+                    Precision precision = Precision::float32);
 };
 
 // The steps of a network on a feature map [1, channels, h, w] float32, channels last; differentiable once, by

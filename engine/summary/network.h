@@ -29,9 +29,9 @@ namespace patina {
 /// .safetensors.
 class Network {
  public:
-  /// Reads only the tensors that its taps need.
+  /// Reads only the tensors that its taps need, and rounds their weights to a precision.
   /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture
-  static Network load(const std::filesystem::path& file);
+  static Network load(const std::filesystem::path& file, Precision precision = Precision::float32);
 
   /// The feature maps of the taps, each [channels, height, width].
   /// @param image [3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()

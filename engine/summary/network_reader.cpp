@@ -13,7 +13,8 @@ namespace patina {
 /// Builds a Network from a file's tensors and its description, believing neither.
 class NetworkReader {
  public:
-  explicit NetworkReader(const std::filesystem::path& file) : file_(file) {}
+  NetworkReader(const std::filesystem::path& file, Precision precision)
+      : file_(file), precision_(precision) {}
 
   Network read() {
     const auto json = nlohmann::json::parse(description(), nullptr, false);
@@ -117,7 +118,7 @@ class NetworkReader {
     if (weight[2] != weight[3] || weight[2] % 2 == 0 || weight[2] > kMaxSide)
       refuse("'" + printable(name) + "' is not an odd square of at most " + std::to_string(kMaxSide));
     if (bias[0] != weight[0]) refuse("the bias of '" + printable(name) + "' has the wrong size");
-    return {tensor(name + ".weight"), tensor(name + ".bias"), relu, reflect_};
+    return {tensor(name + ".weight"), tensor(name + ".bias"), relu, reflect_, precision_};
   }
 
   Network::Layer read_layer(const nlohmann::json& json) {
@@ -152,6 +153,7 @@ class NetworkReader {
   }
 
   WeightsFile file_;
+  Precision precision_;
   std::map<std::string, at::Tensor> tensors_;
   bool reflect_ = true;
   std::int64_t trunk_channels_ = 3;
@@ -159,6 +161,8 @@ class NetworkReader {
   int taps_ = 0;
 };
 
-Network Network::load(const std::filesystem::path& file) { return NetworkReader(file).read(); }
+Network Network::load(const std::filesystem::path& file, Precision precision) {
+  return NetworkReader(file, precision).read();
+}
 
 }  // namespace patina

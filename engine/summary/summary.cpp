@@ -43,16 +43,17 @@ class Composition final : public Summary {
   std::vector<Part> parts_;
 };
 
-using MakePart = Part (*)(const std::filesystem::path& network);
+using MakePart = Part (*)(const std::filesystem::path& network, Precision precision);
 
-Part gram_matrices(const std::filesystem::path& network) {
-  return std::make_shared<GramMatrices>(Network::load(network.empty() ? bundled_network() : network));
+Part gram_matrices(const std::filesystem::path& network, Precision precision) {
+  return std::make_shared<GramMatrices>(
+      Network::load(network.empty() ? bundled_network() : network, precision));
 }
-Part ring_means(const std::filesystem::path&) { return std::make_shared<RingMeans>(4); }
-Part fine_ring_means(const std::filesystem::path&) { return std::make_shared<RingMeans>(16); }
-Part ring_spectrum(const std::filesystem::path&) { return std::make_shared<RingSpectrum>(8); }
-Part strip_means(const std::filesystem::path&) { return std::make_shared<StripMeans>(64); }
-Part column_spectrum(const std::filesystem::path&) { return std::make_shared<ColumnSpectrum>(16); }
+Part ring_means(const std::filesystem::path&, Precision) { return std::make_shared<RingMeans>(4); }
+Part fine_ring_means(const std::filesystem::path&, Precision) { return std::make_shared<RingMeans>(16); }
+Part ring_spectrum(const std::filesystem::path&, Precision) { return std::make_shared<RingSpectrum>(8); }
+Part strip_means(const std::filesystem::path&, Precision) { return std::make_shared<StripMeans>(64); }
+Part column_spectrum(const std::filesystem::path&, Precision) { return std::make_shared<ColumnSpectrum>(16); }
 
 struct Entry {
   const char* name;
@@ -85,7 +86,8 @@ std::vector<std::string> summary_names() {
   return names;
 }
 
-std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network) {
+std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,
+                                            Precision precision) {
   std::vector<MakePart> chosen;
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('+', begin), name.size());
@@ -94,7 +96,7 @@ std::shared_ptr<const Summary> make_summary(const std::string& name, const std::
     begin = end + 1;
   }
   std::vector<Part> parts;
-  for (const MakePart part : chosen) parts.push_back(part(network));
+  for (const MakePart part : chosen) parts.push_back(part(network, precision));
   return std::make_shared<Composition>(std::move(parts));
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/summary/precision.h"
+
 namespace patina {
 
 /// What the error of a block's entries is measured by; engine/posterior/error_model.h gives each its sigma.
@@ -47,7 +49,9 @@ std::vector<std::string> summary_names();
 /// @param name     one of summary_names(), or several joined by '+' ("gram+rings"): all their blocks, in that
 ///                 order, what two of them share only once
 /// @param network  a weights file; empty for the bundled one. Read only by "gram".
+/// @param precision  of the network's convolutions
 /// @throws UserError for an unknown name or a file that is not a network
-std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network);
+std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,
+                                            Precision precision = Precision::float32);
 
 }  // namespace patina

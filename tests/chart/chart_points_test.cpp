@@ -82,7 +82,8 @@ TEST(ChartRow, of_a_file_that_is_no_chart_is_refused) {
   write_table(folder.path() / "x.csv", {{}, {"a", "b"}, {{"1", "2"}}});
   EXPECT_THROW(chart_rows(read_table(folder.path() / "x.csv").value()), UserError);
   TableFile table{{}, chart_columns(), {chart_cells(some_row("default", 1, 3, 0.02))}};
-  table.rows[0][7] = "many";
+  const auto resolution = std::ranges::find(table.columns, "resolution") - table.columns.begin();
+  table.rows[0][static_cast<std::size_t>(resolution)] = "many";
   EXPECT_THROW(chart_rows(table), UserError);
   EXPECT_THROW(parse_number("1e"), UserError);
 }
@@ -130,6 +131,13 @@ TEST(ChartSettings, fit_their_target) {
     EXPECT_EQ(setting.resolution, 0) << "no coarser one can be looked at";
   }
   EXPECT_THROW(preset_settings("slow", {}), std::invalid_argument);
+}
+
+TEST(ChartSettings, round_where_that_pays) {
+  for (const bool can_round : {false, true}) {
+    const auto settings = preset_settings("quick", {.resolution = 64, .can_round = can_round});
+    EXPECT_EQ(std::ranges::count(settings, "bfloat16", &ChartSetting::precision), can_round);
+  }
 }
 
 TEST(ChartSettings, of_one_warmup_still_differ) {

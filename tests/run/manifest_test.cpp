@@ -23,6 +23,7 @@ class ManifestTest : public FolderTest {
     m.settings.metric = "diagonal";
     m.settings.discrete = "single";
     m.settings.errors = "calibrated";
+    m.settings.precision = "bfloat16";
     m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.refresh = 0.3;
@@ -54,7 +55,7 @@ class ManifestTest : public FolderTest {
   }
 };
 
-TEST_F(ManifestTest, ErrorsOfAnUnknownModelAndAFitThatCannotBeAreDamage) {
+TEST_F(ManifestTest, UnknownNamesAndAFitThatCannotBeAreDamage) {
   const auto with = [](const char* pointer, const Json& value) {
     Json json = Json::parse(to_json(full()));
     json[Json::json_pointer(pointer)] = value;
@@ -62,17 +63,26 @@ TEST_F(ManifestTest, ErrorsOfAnUnknownModelAndAFitThatCannotBeAreDamage) {
   };
   EXPECT_THROW(read(with("/settings/errors", "guessed")), UserError);
   EXPECT_THROW(read(with("/settings/errors", 3)), UserError);
+  EXPECT_THROW(read(with("/settings/precision", "float8")), UserError);
   EXPECT_THROW(read(with("/photo_fit/widening", 0.5)), UserError);
   EXPECT_THROW(read(with("/photo_fit/p", 2)), UserError);
   EXPECT_NO_THROW(read(with("/photo_fit", nullptr)));
 }
 
-TEST_F(ManifestTest, WithoutErrorsIsOfTheHandSetOnes) {
+TEST_F(ManifestTest, APriorThatNoDrawCanComeFromIsDamage) {
+  Manifest manifest = full();
+  manifest.table.continuous.front().prior = {0, 0.01, 5, 6};
+  EXPECT_NE(user_error([&] { read(to_json(manifest)); }).find("prior"), std::string::npos);
+}
+
+TEST_F(ManifestTest, WithoutErrorsAndPrecisionIsOfTheFirstOnes) {
   Json json = Json::parse(to_json(full()));
   json["settings"].erase("errors");
+  json["settings"].erase("precision");
   json.erase("photo_fit");
   const Manifest m = read(json.dump());
   EXPECT_EQ(m.settings.errors, "paper");
+  EXPECT_EQ(m.settings.precision, "float32");
   EXPECT_FALSE(m.photo_fit);
 }
 
@@ -82,6 +92,7 @@ TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   EXPECT_EQ(r.settings.network, m.settings.network);
   EXPECT_EQ(r.settings.seed, m.settings.seed);
   EXPECT_EQ(r.settings.errors, m.settings.errors);
+  EXPECT_EQ(r.settings.precision, m.settings.precision);
   EXPECT_EQ(r.settings.fixed, m.settings.fixed);
   EXPECT_EQ(r.settings.priors, m.settings.priors);
   EXPECT_EQ(r.table.continuous[1].prior, m.table.continuous[1].prior);

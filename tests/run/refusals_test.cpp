@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/summary/precision.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -24,6 +25,7 @@ TEST_F(StartRunRefuses, UnknownNames) {
   EXPECT_NE(refusal([](auto& s) { s.kernel = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.metric = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.discrete = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.precision = "nosuch"; }).find("float32, bfloat16"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.fixed["nosuch"] = 1; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.priors["nosuch"] = {}; }).find("nosuch"), std::string::npos);
 }
@@ -44,6 +46,12 @@ TEST_F(StartRunRefuses, ImpossibleNumbers) {
   EXPECT_NE(refusal([](auto& s) {
               s.priors["rough"] = {0.4, 0.1, 0.6, 0.2};
             }).find("low"),
+            std::string::npos);
+}
+
+TEST_F(StartRunRefuses, APrecisionThatThisProcessorGainsNothingFrom) {
+  if (bfloat16_pays()) GTEST_SKIP() << "this one gains";
+  EXPECT_NE(refusal([](auto& s) { s.precision = "bfloat16"; }).find("leave it at float32"),
             std::string::npos);
 }
 

@@ -24,19 +24,29 @@ namespace {
 
 using Step = std::function<at::Tensor(const at::Tensor&)>;
 
-/// Both values and both gradients of a weighted sum of the output are the same to float32's rounding.
-void expect_same_step(const Step& once, const Step& again, const at::Tensor& x, const std::string& what) {
+/// How far two outputs, and two gradients of a weighted sum of them, are apart, over the largest entry.
+struct Apart {
+  double values, gradients;
+};
+
+Apart apart(const Step& once, const Step& again, const at::Tensor& x) {
   const at::Tensor a = x.clone().set_requires_grad(true), b = x.clone().set_requires_grad(true);
   const at::Tensor ya = once(a), yb = again(b);
-  ASSERT_EQ(ya.sizes(), yb.sizes()) << what;
-  const auto apart = [](const at::Tensor& p, const at::Tensor& q) {
+  EXPECT_EQ(ya.sizes(), yb.sizes());
+  const auto relative = [](const at::Tensor& p, const at::Tensor& q) {
     return ((p - q).abs().max() / q.abs().max()).item<double>();
   };
-  EXPECT_LT(apart(ya, yb), 1e-5) << what;
   const at::Tensor weights = random_tensor(ya.sizes().vec(), 9);
   (ya * weights).sum().backward();
   (yb * weights).sum().backward();
-  EXPECT_LT(apart(a.grad(), b.grad()), 1e-5) << what;
+  return {relative(ya, yb), relative(a.grad(), b.grad())};
+}
+
+/// They are the same to float32's rounding.
+void expect_same_step(const Step& once, const Step& again, const at::Tensor& x, const std::string& what) {
+  const Apart off = apart(once, again, x);
+  EXPECT_LT(off.values, 1e-5) << what;
+  EXPECT_LT(off.gradients, 1e-5) << what;
 }
 
 TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
@@ -58,6 +68,25 @@ TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
                                std::to_string(columns) + (relu ? ", relu" : "") +
                                (reflect ? ", reflect" : ""));
         }
+}
+
+TEST(FeatureSteps, InBfloat16AConvolutionIsOffByItsRoundingAndNoMore) {
+  const at::Tensor weight = random_tensor({16, 8, 3, 3}, 1), bias = random_tensor({16}, 2);
+  // Without ReLU, so that no entry near zero is on one side of it here and on the other there.
+  const FrozenConvolution exact(weight, bias, false, true);
+  const FrozenConvolution rounded(weight, bias, false, true, Precision::bfloat16);
+  const at::Tensor x = random_tensor({1, 8, 24, 24}, 3);
+  try {
+    const Apart off = apart([&](const at::Tensor& map) { return convolve(rounded, map); },
+                            [&](const at::Tensor& map) { return convolve(exact, map); }, x);
+    for (const double error : {off.values, off.gradients}) {
+      EXPECT_GT(error, 1e-4) << "8 bits are not 24";
+      EXPECT_LT(error, 1e-2) << "each factor is off by 2^-9 at most";
+    }
+  } catch (const c10::Error&) {
+    EXPECT_FALSE(bfloat16_pays());
+    GTEST_SKIP() << "the library has no convolution in bfloat16 for this processor";
+  }
 }
 
 TEST(FeatureSteps, PoolingEqualsTheLibrarysAtEvenAndOddSizes) {

@@ -1,0 +1,149 @@
+// How well a log density and its gradient use the machine: VGG-19's shapes with random weights, bump at 512
+// pixels, all threads. The arithmetic of its convolutions, forward and back, in the seconds of a whole
+// evaluation (render, Gram matrices and their gradients included) is held against what one large convolution
+// of the library reaches.
+//   bench-throughput [REPEATS=5]
+#include <ATen/core/Tensor.h>
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/randn.h>
+#include <ATen/ops/zeros.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "engine/io/temporary_folder.h"
+#include "engine/material/renderer.h"
+#include "engine/posterior/posterior.h"
+#include "engine/run/threads.h"
+#include "engine/summary/feature_steps.h"
+#include "engine/summary/precision.h"
+#include "engine/summary/safetensors.h"
+
+extern "C" {
+extern const char* malloc_conf;
+const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
+}
+
+namespace patina {
+namespace {
+
+constexpr int kResolution = 512;
+constexpr std::int64_t kKernel = 3;
+constexpr auto kChannelsLast = at::MemoryFormat::ChannelsLast;
+
+/// A convolution of 3 x 3 on a square map.
+struct Shape {
+  std::int64_t in, out, side;
+
+  /// Multiplications and additions.
+  double operations() const { return 2.0 * kKernel * kKernel * in * out * side * side; }
+};
+
+/// Those of VGG-19 (Simonyan and Zisserman 2015, configuration E) on an image.
+std::vector<Shape> vgg19_shapes(std::int64_t side) {
+  std::vector<Shape> shapes;
+  std::int64_t in = 3;
+  for (const auto& [count, channels] :
+       std::vector<std::pair<int, std::int64_t>>{{2, 64}, {2, 128}, {4, 256}, {4, 512}, {4, 512}}) {
+    for (int i = 0; i < count; ++i, in = channels) shapes.push_back({in, channels, side});
+    side /= 2;
+  }
+  return shapes;
+}
+
+/// Weights of which activations neither vanish nor explode (He et al. 2015), by torchvision's names.
+SafeTensors random_vgg19() {
+  SafeTensors weights;
+  int module = 0;
+  std::int64_t side = kResolution;
+  for (const Shape& shape : vgg19_shapes(kResolution)) {
+    if (shape.side != side) ++module, side = shape.side;  // a pooling
+    const std::string name = "features." + std::to_string(module);
+    const double sd = std::sqrt(2.0 / static_cast<double>(kKernel * kKernel * shape.in));
+    weights.tensors[name + ".weight"] = at::randn({shape.out, shape.in, kKernel, kKernel}).mul_(sd);
+    weights.tensors[name + ".bias"] = at::zeros({shape.out});
+    module += 2;  // with its ReLU
+  }
+  return weights;
+}
+
+template <typename Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// Seconds of an evaluation and operations a second, of each pair.
+struct Pairs {
+  std::vector<double> seconds, whole, plain, shares;
+};
+
+Pairs measure(const std::filesystem::path& network, const std::string& precision, int repeats) {
+  const Renderer renderer("bump", 2, Capture{});
+  PosteriorSettings settings;
+  settings.resolution = kResolution;
+  settings.network = network;
+  settings.precision = precision;
+  const Posterior target(settings, renderer.render(prior_location(renderer.table()), kResolution));
+  const Position position = target.position(prior_location(target.table()));
+
+  const Shape large{256, 256, 128};
+  const FrozenConvolution convolution(
+      at::randn({large.out, large.in, kKernel, kKernel}).contiguous(kChannelsLast), at::zeros({large.out}),
+      /*relu=*/false, /*reflect=*/false, precision_named(precision));
+  const at::Tensor map = at::randn({1, large.in, large.side, large.side}).contiguous(kChannelsLast);
+  const at::NoGradGuard no_grad;
+
+  double operations = 0;
+  for (const Shape& shape : vgg19_shapes(kResolution)) operations += 2 * shape.operations();
+  constexpr int kTimes = 20;  // so that it sees as much of the machine's moods as an evaluation does
+  Pairs pairs;
+  for (int i = -1; i < repeats; ++i) {  // the first to warm up
+    const double plain = kTimes * large.operations() / seconds([&] {
+                           for (int time = 0; time < kTimes; ++time) convolve(convolution, map);
+                         });
+    const double whole = seconds([&] { target.evaluate(position); });
+    if (i < 0) continue;
+    pairs.seconds.push_back(whole);
+    pairs.whole.push_back(operations / whole);
+    pairs.plain.push_back(plain);
+    pairs.shares.push_back(operations / whole / plain);
+  }
+  return pairs;
+}
+
+void report(int repeats) {
+  use_tensor_threads(hardware_threads());
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "vgg19.safetensors";
+  write_safetensors(file, random_vgg19());
+  std::printf("%d thread(s), medians of %d pairs\n", hardware_threads(), repeats);
+  for (const std::string& precision : precision_names()) {
+    if (precision == "bfloat16" && !bfloat16_pays()) {
+      std::printf("bfloat16: no faster on this processor\n");
+      continue;
+    }
+    const Pairs pairs = measure(file, precision, repeats);
+    std::printf(
+        "%s: a convolution, 256 to 256 channels of 128 x 128, %.0f GFLOP/s; log density and gradient, "
+        "VGG-19 at %d pixels, %.2f s, %.0f GFLOP/s in convolutions: %.0f %%\n",
+        precision.c_str(), median(pairs.plain) / 1e9, kResolution, median(pairs.seconds),
+        median(pairs.whole) / 1e9, 100 * median(pairs.shares));
+  }
+}
+
+}  // namespace
+}  // namespace patina
+
+int main(int argc, char** argv) { patina::report(argc > 1 ? std::max(1, std::atoi(argv[1])) : 5); }
