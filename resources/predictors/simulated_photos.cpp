@@ -20,7 +20,9 @@
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/prediction/material_chooser.h"
 #include "engine/prediction/photo_features.h"
+#include "engine/prediction/predictor.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/rng.h"
 #include "resources/networks/image_variants.h"
@@ -77,7 +79,8 @@ Image recorded(const at::Tensor& planes, Rng& rng) {
 SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
                                 bool varied) {
   const auto model = make_material(material);
-  const PhotoFeatures features;
+  const int looked_at = varied ? MaterialChooser::kSide : Predictor::kSide;
+  const PhotoFeatures features(looked_at);
   std::vector<std::unique_ptr<Irregularities>> pool;
   for (std::uint64_t i = 0; i < kSurfaces; ++i)
     pool.push_back(std::make_unique<Irregularities>(kFirstSurface + kSurfaces * seed + i));
@@ -94,7 +97,7 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     for (const DiscreteParameter& choice : table.discrete)
       levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
     const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
-    const int side = PhotoFeatures::kSide * (!varied && rng.below(4) == 0 ? 2 : 1);
+    const int side = looked_at * (!varied && rng.below(4) == 0 ? 2 : 1);
     const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
                                            *pool[i % kSurfaces], capture, side);
     at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);

@@ -19,7 +19,7 @@ struct SimulatedPhotos {
 /// sixteen (of which a material's places show it ever another piece), noise, and 8 bits. Every other one is
 /// taken at twice the pixels and reduced, as a photo is.
 /// @param varied   each changed twice at random, as a photo differs from a render (image_variants.h), and its
-///                 colours swapped: to tell materials apart by their structure; all at kSide pixels
+///                 colours swapped: to tell materials apart by their structure; all at MaterialChooser::kSide
 /// @param seed     of everything; the pool's too, so that no two seeds share irregularities
 /// @param threads  the photos do not depend on it
 SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
