@@ -27,8 +27,10 @@ class PreviewFeed {
   /// The newest render, once; of what was foreseen when it is wanted.
   std::optional<Preview> take();
 
-  bool waiting() const { return asked_ticket() != taken_ticket_ && worker_.last_error().empty(); }
-  std::string problem() const { return worker_.last_error(); }
+  bool waiting() const { return asked_ticket() != taken_ticket_ && problem().empty(); }
+  std::string problem() const {
+    return worker_.error_of(asked_ticket());
+  }  ///< of what is wanted, not foreseen
 
  private:
   using Clock = std::chrono::steady_clock;

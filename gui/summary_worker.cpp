@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <iterator>
 #include <mutex>
 #include <stop_token>
@@ -67,6 +68,7 @@ struct SummaryWorker::State {
   std::condition_variable_any arrived;
   std::vector<Draw> inbox;
   std::optional<LiveSummary> outbox;
+  std::exception_ptr failure;
   std::jthread thread;  // last: joins before what it uses goes
 
   std::vector<Draw> wait_for_draws(const std::stop_token& stop) {
@@ -84,6 +86,14 @@ struct SummaryWorker::State {
     {
       const std::lock_guard lock(mutex);
       outbox = std::move(summary);
+    }
+    if (wake) wake();
+  }
+
+  void publish_failure(std::exception_ptr what) {
+    {
+      const std::lock_guard lock(mutex);
+      failure = std::move(what);
     }
     if (wake) wake();
   }
@@ -119,7 +129,13 @@ SummaryWorker::SummaryWorker(ParameterTable table, std::function<void()> wake)
     : state_(std::make_unique<State>()) {
   state_->table = std::move(table);
   state_->wake = std::move(wake);
-  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) {
+    try {
+      state->work(stop);
+    } catch (...) {
+      state->publish_failure(std::current_exception());
+    }
+  });
 }
 
 SummaryWorker::~SummaryWorker() = default;
@@ -136,6 +152,7 @@ void SummaryWorker::add(std::vector<Draw> draws) {
 
 std::optional<LiveSummary> SummaryWorker::take() {
   const std::lock_guard lock(state_->mutex);
+  if (state_->failure) std::rethrow_exception(std::exchange(state_->failure, nullptr));
   return std::exchange(state_->outbox, std::nullopt);
 }
 

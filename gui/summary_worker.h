@@ -17,7 +17,7 @@ struct LiveSummary {
   std::vector<ParameterAdvice> advice;  ///< as exact as quantiles are
 };
 
-/// Keeps R-hat, ESS and moments up to date on a thread of its own, for about a tenth of a core. Up to
+/// Keeps R-hat, ESS and moments up to date on a thread of its own, for about a thirtieth of a core. Up to
 /// kMaxDraws draws after warm-up all figures are exact, about once a second or as often as that share allows.
 /// Beyond, those of RunningSummary are brought up to date up to ten times a second, however many draws there
 /// are; the others (quantiles, MCSE of the sd, directions, E-BFMI) are those of a copy of the draws of which
@@ -31,7 +31,9 @@ class SummaryWorker {
   ~SummaryWorker();
 
   void add(std::vector<Draw> draws);  ///< returns at once
-  std::optional<LiveSummary> take();  ///< the newest summary, once
+  /// The newest summary, once.
+  /// @throws what ended the worker's thread, once: there are no more summaries then
+  std::optional<LiveSummary> take();
 
  private:
   struct State;

@@ -27,7 +27,7 @@ void Thumbnails::serve() {
   if (!pending_ && !wanted_.empty()) {
     if (!worker_) worker_ = std::make_unique<PreviewWorker>(wake_);
     pending_ = wanted_.front().first;
-    worker_->request(std::move(wanted_.front().second));
+    ticket_ = worker_->request(std::move(wanted_.front().second));
   }
   wanted_.clear();
 }
@@ -39,9 +39,8 @@ void Thumbnails::take_in() {
     renderer_->set_maps(preview->maps);
     renderer_->render();
     entries_[*pending_] = {renderer_->take(), frame_};
-  } else if (!worker_->last_error().empty()) {
+  } else if (!worker_->error_of(ticket_).empty()) {
     entries_[*pending_] = {std::nullopt, frame_};
-    worker_.reset();  // with its error, which the next request is not to be blamed for
   } else {
     return;
   }

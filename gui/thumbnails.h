@@ -40,7 +40,7 @@ class Thumbnails {
   };
   struct Entry {
     std::optional<Framebuffer> picture;  ///< none: its render failed
-    std::uint64_t used = 0;          ///< the frame when it was looked at last
+    std::uint64_t used = 0;              ///< the frame when it was looked at last
   };
   void take_in();
   void forget_some();
@@ -52,6 +52,7 @@ class Thumbnails {
   std::map<Key, Entry> entries_;
   std::vector<std::pair<Key, PreviewRequest>> wanted_;  ///< in this frame
   std::optional<Key> pending_;                          ///< what the worker makes
+  std::uint64_t ticket_ = 0;                            ///< of what is pending
   std::uint64_t frame_ = 0;
 };
 

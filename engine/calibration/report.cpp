@@ -1,19 +1,14 @@
 #include "engine/calibration/report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
+
+#include "engine/format.h"
 
 namespace patina {
 namespace {
 
 constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
-
-std::string text(const char* format, auto... values) {
-  char buffer[96];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 bool falls_short(const QuantityCoverage& quantity, std::size_t interval) {
   constexpr double kLeast = 0.85, kMost = 0.95;
@@ -24,20 +19,20 @@ bool falls_short(const QuantityCoverage& quantity, std::size_t interval) {
 std::string line(const QuantityCoverage& quantity) {
   const double sd = quantity.sd_over_prior_sd;
   std::string line = "| " + quantity.name + " | ";
-  line += (sd == sd ? text("%.2f", sd) : "") + " | " + (quantity.identified ? "yes" : "no");
+  line += (sd == sd ? format("%.2f", sd) : "") + " | " + (quantity.identified ? "yes" : "no");
   for (std::size_t i = 0; i < kIntervals.size(); ++i)
-    line += text(falls_short(quantity, i) ? " | **%.0f ± %.0f**" : " | %.0f ± %.0f",
-                 100 * quantity.coverage.share[i], 100 * quantity.coverage.error(i));
-  return line + text(" | %.1f (%.2g) |\n", quantity.coverage.chi_square, quantity.coverage.uniformity);
+    line += format(falls_short(quantity, i) ? " | **%.0f ± %.0f**" : " | %.0f ± %.0f",
+                   100 * quantity.coverage.share[i], 100 * quantity.coverage.error(i));
+  return line + format(" | %.1f (%.2g) |\n", quantity.coverage.chi_square, quantity.coverage.uniformity);
 }
 
 std::string cost(const CalibrationReport& report) {
-  std::string cost = text("%d photos, of which the chains of %d agree", report.photos, report.converged) +
-                     text(" (R-hat at most %.2f; the worst is %.3f)", kConverged, report.worst_rhat) +
-                     text("; %.1f s of one core a photo", report.seconds);
+  std::string cost = format("%d photos, of which the chains of %d agree", report.photos, report.converged) +
+                     format(" (R-hat at most %.2f; the worst is %.3f)", kConverged, report.worst_rhat) +
+                     format("; %.1f s of one core a photo", report.seconds);
   if (report.simulated > 0)
-    cost += text(", with %.0f simulated photos", report.simulated) +
-            text("; %.0f %% were found unlike their own material", 100 * report.unlike);
+    cost += format(", with %.0f simulated photos", report.simulated) +
+            format("; %.0f %% were found unlike their own material", 100 * report.unlike);
   return cost + ".\n\n";
 }
 

@@ -116,10 +116,6 @@ Sample draw(const Target& target, const StudySettings& study, std::uint64_t seed
   return sample(target.posterior, *kernel, settings, start, metric);
 }
 
-double standard_deviation(const Eigen::MatrixXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().mean());
-}
-
 /// In sampling coordinates, where the prior's sd is 1 and places are those of the parameters' values.
 void judge(const Sample& sample, const Case& example, const Posterior& posterior, Rng& rng,
            PhotoOutcome& outcome) {

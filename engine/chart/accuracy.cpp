@@ -31,10 +31,6 @@ class Worst {
   WorstError worst_{kNaN, kNaN, "", 0};
 };
 
-double standard_deviation(const Eigen::MatrixXd& draws) {
-  return std::sqrt((draws.array() - draws.mean()).square().sum() / static_cast<double>(draws.size() - 1));
-}
-
 bool never_changes(const Eigen::MatrixXd& draws) { return draws.minCoeff() == draws.maxCoeff(); }
 
 /// Half the sum over levels of |difference of shares|, and of what that may be by chance.

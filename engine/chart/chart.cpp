@@ -1,7 +1,6 @@
 #include "engine/chart/chart.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -11,17 +10,12 @@
 #include "engine/chart/machine.h"
 #include "engine/chart/waiting.h"
 #include "engine/error.h"
+#include "engine/format.h"
 #include "engine/io/file.h"
 #include "engine/run/run_checks.h"
 
 namespace patina {
 namespace {
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 std::string gold_text(const GoldStandard& gold, const GoldPlan& plan) {
   std::string kernels;

@@ -48,20 +48,13 @@ Column<T> column(const std::string& name, Part T::*part, Fields... fields) {
 
 const std::vector<Column<ChartSetting>>& setting_columns() {
   static const std::vector<Column<ChartSetting>> columns{
-      column("setting", &ChartSetting::name),
-      column("kernel", &ChartSetting::kernel),
-      column("metric", &ChartSetting::metric),
-      column("discrete", &ChartSetting::discrete),
-      column("start", &ChartSetting::start),
-      column("errors", &ChartSetting::errors),
-      column("summary", &ChartSetting::summary),
-      column("precision", &ChartSetting::precision),
-      column("resolution", &ChartSetting::resolution),
-      column("chains", &ChartSetting::chains),
-      column("warmup", &ChartSetting::warmup),
-      column("alpha", &ChartSetting::alpha),
-      column("refresh", &ChartSetting::refresh),
-      column("path_length", &ChartSetting::path_length),
+      column("setting", &ChartSetting::name),          column("kernel", &ChartSetting::kernel),
+      column("metric", &ChartSetting::metric),         column("discrete", &ChartSetting::discrete),
+      column("start", &ChartSetting::start),           column("errors", &ChartSetting::errors),
+      column("summary", &ChartSetting::summary),       column("precision", &ChartSetting::precision),
+      column("resolution", &ChartSetting::resolution), column("chains", &ChartSetting::chains),
+      column("warmup", &ChartSetting::warmup),         column("alpha", &ChartSetting::alpha),
+      column("refresh", &ChartSetting::refresh),       column("path_length", &ChartSetting::path_length),
       column("proposals", &ChartSetting::proposals),
   };
   return columns;

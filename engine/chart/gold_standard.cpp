@@ -14,10 +14,6 @@ constexpr Eigen::Index kMostDraws = 4000;  // of each chain
 constexpr double kConverged = 1.01;
 constexpr std::uint64_t kBootstrapSeed = 11;
 
-double standard_deviation(const Eigen::MatrixXd& draws) {
-  return std::sqrt((draws.array() - draws.mean()).square().sum() / static_cast<double>(draws.size() - 1));
-}
-
 GoldQuantity quantity(const std::string& name, const Eigen::MatrixXd& draws) {
   GoldQuantity result{name, draws};
   result.mean = draws.mean();

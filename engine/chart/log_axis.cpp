@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/format.h"
 
 namespace patina {
 
@@ -34,10 +35,8 @@ std::vector<Tick> log_ticks(double low, double high) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double value = digit * std::pow(10.0, decade);
       if (value < low || value > high) continue;
-      char label[32] = "";
-      if (digit == 1 || (few && (digit == 2 || digit == 5)))
-        std::snprintf(label, sizeof label, "%.6g", value);
-      ticks.push_back({value, label});
+      const bool labelled = digit == 1 || (few && (digit == 2 || digit == 5));
+      ticks.push_back({value, labelled ? format("%.6g", value) : ""});
     }
   return ticks;
 }

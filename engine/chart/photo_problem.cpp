@@ -59,6 +59,15 @@ ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed
           std::move(found.laplace)};
 }
 
+Emulation PhotoProblem::emulate(const ChartSetting&, const Position& mode, const Metric& laplace,
+                                std::uint64_t seed, const std::function<void()>& evaluated) const {
+  return patina::emulate(*posterior_, mode, laplace,
+                         {.threads = hardware_threads(),
+                          .seed = seed,
+                          .enter_thread = [] { use_tensor_threads(1); },
+                          .evaluated = evaluated});
+}
+
 Eigen::VectorXd PhotoProblem::values(const Position& position) const {
   const ParameterValues values = posterior_->values(position);
   return Eigen::Map<const Eigen::VectorXd>(values.continuous.data(), std::ssize(values.continuous));
@@ -67,14 +76,17 @@ Eigen::VectorXd PhotoProblem::values(const Position& position) const {
 void PhotoProblem::use_threads(int count) const { use_tensor_threads(count); }
 
 ChartTarget PhotoProblem::target() const {
-  const int least = make_summary(settings_.summary, settings_.network)->minimum_resolution();
+  const auto summary = make_summary(settings_.summary, settings_.network);
+  const int levels = levels_of(*summary);
   return {settings_.summary,
           settings_.resolution,
-          std::max(least, kLeastResolution),
+          std::max(summary->minimum_resolution(), kLeastResolution),
           has_jagged(*posterior_),
           !posterior_->discrete_levels().empty(),
           true,
-          settings_.summary.find("gram") != std::string::npos && bfloat16_pays()};
+          levels > 0 && bfloat16_pays(),
+          levels,
+          can_emulate(*posterior_)};
 }
 
 Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::uint64_t z_seed) {

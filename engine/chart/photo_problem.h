@@ -24,6 +24,8 @@ class PhotoProblem final : public ChartProblem {
   std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override;
   Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                const std::function<void()>& simulated) const override;
+  Emulation emulate(const ChartSetting& setting, const Position& mode, const Metric& laplace,
+                    std::uint64_t seed, const std::function<void()>& evaluated) const override;
   Eigen::VectorXd values(const Position& position) const override;
   void use_threads(int count) const override;
 

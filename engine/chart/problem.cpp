@@ -21,6 +21,11 @@ ChartProblem::Learnt ChartProblem::learn(const ChartSetting& setting, std::uint6
   throw std::invalid_argument("nothing can be learnt of this target for '" + setting.name + "'");
 }
 
+Emulation ChartProblem::emulate(const ChartSetting& setting, const Position&, const Metric&, std::uint64_t,
+                                const std::function<void()>&) const {
+  throw std::invalid_argument("this target cannot be emulated for '" + setting.name + "'");
+}
+
 std::unique_ptr<LogDensity> target_of(const ChartProblem& problem) {
   return std::move(problem.targets(default_setting()).back());
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/chart/setting.h"
+#include "engine/posterior/emulate.h"
 #include "engine/sampling/chain_state.h"
 #include "engine/sampling/kernel.h"
 #include "engine/sampling/log_density.h"
@@ -38,6 +39,11 @@ class ChartProblem {
   /// @param simulated  called after each of the simulations, from any thread; what it throws ends them
   virtual Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                        const std::function<void()>& simulated) const;
+
+  /// An emulator of the target, where a setting's kernel proposes by one.
+  /// @param evaluated  called after each evaluation, from any thread; what it throws ends them
+  virtual Emulation emulate(const ChartSetting& setting, const Position& mode, const Metric& laplace,
+                            std::uint64_t seed, const std::function<void()>& evaluated) const;
 
   /// The continuous quantities at a position, in their own units.
   virtual Eigen::VectorXd values(const Position& position) const = 0;

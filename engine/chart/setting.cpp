@@ -4,9 +4,11 @@
 #include <initializer_list>
 #include <stdexcept>
 
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/run_settings.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/metric.h"
+#include "engine/summary/summary_name.h"
 
 namespace patina {
 namespace {
@@ -51,6 +53,16 @@ class Matrix {
       add("proposed at " + std::to_string(resolution) + " pixels", &ChartSetting::proposals, resolution);
   }
 
+  void add_levels(int levels) {
+    if (levels < target_.levels)
+      add(std::to_string(levels) + (levels == 1 ? " level" : " levels"), &ChartSetting::summary,
+          with_levels(target_.summary, levels));
+  }
+
+  void add_emulated() {
+    if (target_.can_emulate) add<std::string>("emulated proposals", &ChartSetting::kernel, kEmulated);
+  }
+
   void add_calibrated() {
     if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
   }
@@ -88,6 +100,8 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add("2 chains", &ChartSetting::chains, 2);
   matrix.add_resolution(2);
   matrix.add_proposals(2);
+  matrix.add_levels(3);
+  matrix.add_emulated();
   matrix.add_precision();
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
@@ -105,10 +119,12 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
     matrix.add("warm-up " + std::to_string(warmup), &ChartSetting::warmup, warmup);
   for (const int divisor : {2, 4}) matrix.add_resolution(divisor);
   for (const int divisor : {2, 4}) matrix.add_proposals(divisor);
+  for (int levels = 1; levels < target.levels; ++levels) matrix.add_levels(levels);
   for (const char* summary : {"means", "rings", "gram"})
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
   matrix.add_precision();
+  matrix.add_emulated();
   matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();

@@ -9,8 +9,8 @@ namespace patina {
 /// `errors` change is the posterior itself; it is judged by the target's all the same, so that what they bias
 /// shows as error.
 struct ChartSetting {
-  std::string name;  ///< as it stands at the point; without comma and line break
-  std::string kernel;
+  std::string name;    ///< as it stands at the point; without comma and line break
+  std::string kernel;  ///< of run_kernel_names() (engine/run/emulated_proposals.h)
   std::string metric;
   std::string discrete;
   std::string start;      ///< "map" or "prior" (engine/run/chain_start.h)
@@ -42,8 +42,10 @@ struct ChartTarget {
   int least_resolution = 0;  ///< that its summary can look at
   bool has_jagged = false;   ///< see LogDensity::jagged()
   bool has_discrete = false;
-  bool can_learn = false;  ///< see ChartProblem::learn()
-  bool can_round = false;  ///< it has a network, and bfloat16_pays()
+  bool can_learn = false;    ///< see ChartProblem::learn()
+  bool can_round = false;    ///< it has a network, and bfloat16_pays()
+  int levels = 0;            ///< of its network; 0: it has none
+  bool can_emulate = false;  ///< see ChartProblem::emulate()
 };
 
 /// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500

@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <string>
 
 #include "engine/chart/scene.h"
+#include "engine/format.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
 
@@ -25,11 +25,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
+std::string number(double value) { return format("%.2f", value); }
 
 std::string attribute(const std::string& name, const std::string& value) {
   return " " + name + "=\"" + value + "\"";
@@ -37,9 +33,7 @@ std::string attribute(const std::string& name, const std::string& value) {
 
 /// `name` and `name`-opacity.
 std::string paint(const std::string& name, const Colour& colour) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.red, colour.green, colour.blue);
-  return attribute(name, text) +
+  return attribute(name, format("#%02x%02x%02x", colour.red, colour.green, colour.blue)) +
          (colour.opacity < 1 ? attribute(name + "-opacity", number(colour.opacity)) : "");
 }
 

@@ -11,6 +11,7 @@
 #include "engine/chart/metered_density.h"
 #include "engine/error.h"
 #include "engine/run/chain_start.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/sample.h"
@@ -125,10 +126,22 @@ class Running {
       return overdispersed_start(target, mode, laplace, rng).position;
     };
     const Metric first(restricted(laplace.covariance(), settings.metric));
-    if (setting_.proposals == 0)
+    if (setting_.kernel == kEmulated)
+      draw_by_emulator(target, settings, mode, laplace, first);
+    else if (setting_.proposals == 0)
       sample(target, *problem_.kernel(setting_, target), settings, start, first);
     else
       sample(target, *two_stage(), settings, start, first);
+  }
+
+  void draw_by_emulator(const LogDensity& target, const SampleSettings& settings, const ChainState& mode,
+                        const Metric& laplace, const Metric& first) {
+    const Emulation made =
+        problem_.emulate(setting_, mode.position, laplace, plan_.seed, [&] { meter_.count(false); });
+    if (!made.emulator) return;  // no draws, as of a setting that is too slow
+    const auto start = [&](Rng& rng) { return emulated_start(*made.emulator, mode.position, laplace, rng); };
+    sample(target, *make_emulated_kernel(*made.emulator, target, setting_.path_length), settings, start,
+           first);
   }
 
   /// The setting's kernel on the posterior that proposes; the caller's target decides.

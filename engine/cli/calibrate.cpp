@@ -171,6 +171,32 @@ int calibrate(const Options& options) {
   return kDone;
 }
 
+/// Of the posteriors and of their samples.
+void add_study(CLI::App& command, Options& options) {
+  command
+      .add_option("--resolution", options.study.posterior.resolution,
+                  "Pixels a side at which renders are compared with a photo")
+      ->capture_default_str();
+  command
+      .add_option("--summary", options.summary,
+                  "What renders and photo are compared by (default: the material's)")
+      ->type_name("NAME");
+  command
+      .add_option(
+          "--pilot", options.study.simulations.pilot,
+          "Photos of the prior that calibrated errors begin with where a material has no predictor, or "
+          "a photo is like none that it makes")
+      ->capture_default_str();
+  command
+      .add_option("--error-scale", options.study.error_scale,
+                  "Times the sd that calibrated errors have: other than 1 to see that the table finds it out")
+      ->capture_default_str();
+  command.add_option("--chains", options.study.chains, "Chains a photo")->capture_default_str();
+  command.add_option("--warmup", options.study.warmup, "Warm-up iterations of each chain")
+      ->capture_default_str();
+  command.add_option("--draws", options.study.draws, "Draws of each chain")->capture_default_str();
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app, Command& chosen) {
@@ -191,28 +217,7 @@ void add_calibrate(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"paper", "calibrated"}))
       ->capture_default_str();
   command.add_option("--photos", options->photos, "Number of synthetic photos")->capture_default_str();
-  command
-      .add_option("--resolution", options->study.posterior.resolution,
-                  "Pixels a side at which renders are compared with a photo")
-      ->capture_default_str();
-  command
-      .add_option("--summary", options->summary,
-                  "What renders and photo are compared by (default: the material's)")
-      ->type_name("NAME");
-  command
-      .add_option(
-          "--pilot", options->study.simulations.pilot,
-          "Photos of the prior that calibrated errors begin with where a material has no predictor, or "
-          "a photo is like none that it makes")
-      ->capture_default_str();
-  command
-      .add_option("--error-scale", options->study.error_scale,
-                  "Times the sd that calibrated errors have: other than 1 to see that the table finds it out")
-      ->capture_default_str();
-  command.add_option("--chains", options->study.chains, "Chains a photo")->capture_default_str();
-  command.add_option("--warmup", options->study.warmup, "Warm-up iterations of each chain")
-      ->capture_default_str();
-  command.add_option("--draws", options->study.draws, "Draws of each chain")->capture_default_str();
+  add_study(command, *options);
   command.add_option("--seed", options->study.seed, "Seed of everything drawn")
       ->capture_default_str()
       ->check(seed_problem);

@@ -97,6 +97,35 @@ int chart(const Options& options) {
   return kDone;
 }
 
+void add_budget(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--minutes-per-setting", options.minutes_per_setting,
+          "Wall time of each setting, shared by its repeats; search and warm-up included (0: no limit)")
+      ->capture_default_str();
+  command.add_option("--gold-minutes", options.gold_minutes, "Wall time of the gold standard (0: no limit)")
+      ->capture_default_str();
+  command.add_option("--repeats", options.repeats, "Repeats of each setting")->capture_default_str();
+  command.add_option("--draws", options.draws, "Draws of each chain after warm-up, at most")
+      ->capture_default_str();
+  command.add_option(
+      "--warmup", options.warmup,
+      "Warm-up iterations of every chain (default: 500 of quick; of full 1500, and several others)");
+}
+
+/// Of what all settings draw from.
+void add_target(CLI::App& command, Options& options) {
+  command.add_option("--resolution", options.run.resolution, "Pixels a side of the target")
+      ->capture_default_str();
+  command.add_option("--summary", options.run.summary, "Summary of the target (default: the material's)")
+      ->type_name("NAME");
+  command.add_option("--network", options.run.network, "Weights of the summary's network (default: bundled)")
+      ->type_name("FILE");
+  command.add_option("--z-seed", options.run.z_seed, "Seed of the irregularities")
+      ->capture_default_str()
+      ->check(seed_problem);
+}
+
 }  // namespace
 
 void add_chart(CLI::App& app, Command& chosen) {
@@ -113,7 +142,7 @@ void add_chart(CLI::App& app, Command& chosen) {
           "Folder for chart.csv, chart.svg, chart.png, waiting.* and gold/; what it has is not made again")
       ->type_name("DIR")
       ->required();
-  command.add_option("--preset", options->preset, "Settings to try: quick (9) or full (about 35)")
+  command.add_option("--preset", options->preset, "Settings to try: quick (about 10) or full (about 40)")
       ->check(CLI::IsMember(chart_presets()))
       ->capture_default_str();
   command
@@ -124,29 +153,8 @@ void add_chart(CLI::App& app, Command& chosen) {
   command.add_option("--seed", options->seed, "Seed of everything drawn")
       ->capture_default_str()
       ->check(seed_problem);
-  command
-      .add_option(
-          "--minutes-per-setting", options->minutes_per_setting,
-          "Wall time of each setting, shared by its repeats; search and warm-up included (0: no limit)")
-      ->capture_default_str();
-  command.add_option("--gold-minutes", options->gold_minutes, "Wall time of the gold standard (0: no limit)")
-      ->capture_default_str();
-  command.add_option("--repeats", options->repeats, "Repeats of each setting")->capture_default_str();
-  command.add_option("--draws", options->draws, "Draws of each chain after warm-up, at most")
-      ->capture_default_str();
-  command.add_option(
-      "--warmup", options->warmup,
-      "Warm-up iterations of every chain (default: 500 of quick; of full 1500, and several others)");
-  command.add_option("--resolution", options->run.resolution, "Pixels a side of the target")
-      ->capture_default_str();
-  command.add_option("--summary", options->run.summary, "Summary of the target (default: the material's)")
-      ->type_name("NAME");
-  command
-      .add_option("--network", options->run.network, "Weights of the summary's network (default: bundled)")
-      ->type_name("FILE");
-  command.add_option("--z-seed", options->run.z_seed, "Seed of the irregularities")
-      ->capture_default_str()
-      ->check(seed_problem);
+  add_budget(command, *options);
+  add_target(command, *options);
   options->capture.add_to(command);
   command.add_flag("--quiet", options->quiet, "Print nothing but errors");
   command.callback([options, &chosen] { chosen = [options] { return chart(*options); }; });

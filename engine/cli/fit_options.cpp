@@ -12,6 +12,7 @@
 #include "engine/run/advice.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/manifest.h"
+#include "engine/run/needed_picture.h"
 #include "engine/run/run.h"
 #include "engine/run/run_files.h"
 
@@ -79,13 +80,20 @@ void FitOptions::add_model(CLI::App& command) {
                   "Begin a new run as the one in RUN_DIR was, but hold what its photo does not need or pin "
                   "down (as summarize advises), and begin at its best match")
       ->type_name("RUN_DIR");
+  command
+      .add_flag("--picture", picture_,
+                "With --freeze: also compare no more pixels and levels of the network than the photo needs "
+                "(as summarize --picture finds)")
+      ->needs("--freeze");
   command.add_option("--prior", priors_, "Replace a parameter's prior (repeatable)")
       ->type_name("NAME=MEAN,SD,LOW,HIGH")
       ->allow_extra_args(false);
 }
 
 void FitOptions::add_sampler(CLI::App& command) {
-  add(command, "--kernel", &RunSettings::kernel, "Transition of the chains: mh, mala, hmc, nuts");
+  add(command, "--kernel", &RunSettings::kernel,
+      "Transition of the chains: mh, mala, hmc, nuts, or emulated, whose proposals need no renders (smooth "
+      "materials: bump, metal, translucent)");
   add(command, "--metric", &RunSettings::metric,
       "Covariance that warm-up learns: identity, diagonal, dense, curved");
   add(command, "--alpha", &RunSettings::alpha,
@@ -162,11 +170,17 @@ RankSettings FitOptions::rank_settings() const { return first_cut(parsed_, captu
 RunSettings FitOptions::frozen_settings() const {
   const auto run = open_run(freeze_);
   RunSettings settings = run->settings();
+  const std::vector<Draw> draws = run->take_draws();
   const std::map<std::string, double> frozen =
-      frozen_by(advise(run->table(), run->take_draws(), off_values(settings.material)));
-  if (frozen.empty())
+      frozen_by(advise(run->table(), draws, off_values(settings.material)));
+  const NeededPicture needed = picture_ ? needed_picture(settings, run->photo(), draws) : NeededPicture{};
+  if (const CheaperPicture* smaller = needed.cheapest()) {
+    settings.resolution = smaller->resolution;
+    settings.summary = smaller->summary;
+  } else if (frozen.empty()) {
     throw UserError("The draws in " + freeze_.string() +
                     " show nothing that could be held without changing the rest: go on with that run.");
+  }
   for (const auto& [name, value] : frozen) settings.fixed[name] = value;
   const ParameterTable& table = run->table();
   if (const std::optional<ParameterValues> best = run->status().best) {

@@ -53,6 +53,7 @@ class FitOptions {
   CaptureArguments capture_;
   std::string start_, crop_;
   std::filesystem::path freeze_;  ///< a run directory; empty: not given
+  bool picture_ = false;
   std::vector<std::string> fixed_, priors_;
   std::vector<std::function<void(RunSettings&)>> given_;  ///< each copies one setting if it was given
 };

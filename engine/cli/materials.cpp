@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/cli/command.h"
 #include "engine/cli/print.h"
+#include "engine/format.h"
 #include "engine/material/registry.h"
 #include "engine/run/table_json.h"
 
@@ -18,10 +18,9 @@ struct Options {
 
 std::string line_of(const Parameter& parameter) {
   const TruncatedNormal& prior = parameter.prior;
-  char text[256];
-  std::snprintf(text, sizeof text, "  %-12s %8g %8g %8g %8g  %-10s ", parameter.name.c_str(), prior.mean,
-                prior.sd, prior.low, prior.high, parameter.unit.c_str());
-  return text + parameter.description + "\n";
+  return format("  %-12s %8g %8g %8g %8g  %-10s ", parameter.name.c_str(), prior.mean, prior.sd, prior.low,
+                prior.high, parameter.unit.c_str()) +
+         parameter.description + "\n";
 }
 
 std::string line_of(const DiscreteParameter& parameter) {

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include "engine/cli/arguments.h"
 #include "engine/cli/command.h"
 #include "engine/cli/print.h"
+#include "engine/format.h"
 #include "engine/io/file.h"
 #include "engine/io/params_json.h"
 #include "engine/io/photo.h"
@@ -58,21 +58,17 @@ std::string as_text(const Prediction& prediction) {
   const ParameterValues values = prediction.likeliest();
   const Eigen::VectorXd sds = spreads(prediction), of_prior = prediction.deviations();
   std::string text;
-  char line[128];
   for (std::size_t i = 0; i < values.continuous.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    std::snprintf(line, sizeof line, "%-16s %10.4g +- %-10.3g %s\n",
-                  prediction.table.continuous[i].name.c_str(), values.continuous[i], sds[k],
-                  of_prior[k] > kSaysNothing ? "as before the photo" : "");
-    text += line;
+    text += format("%-16s %10.4g +- %-10.3g %s\n", prediction.table.continuous[i].name.c_str(),
+                   values.continuous[i], sds[k], of_prior[k] > kSaysNothing ? "as before the photo" : "");
   }
   for (std::size_t i = 0; i < values.discrete.size(); ++i) {
     const DiscreteParameter& choice = prediction.table.discrete[i];
     const int level = values.discrete[i];
-    std::snprintf(line, sizeof line, "%-16s %10s, at %.0f %%\n", choice.name.c_str(),
-                  choice.levels[static_cast<std::size_t>(level)].c_str(),
-                  100 * prediction.level_probabilities[i][level]);
-    text += line;
+    text += format("%-16s %10s, at %.0f %%\n", choice.name.c_str(),
+                   choice.levels[static_cast<std::size_t>(level)].c_str(),
+                   100 * prediction.level_probabilities[i][level]);
   }
   return text;
 }

@@ -3,19 +3,17 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/format.h"
+
 namespace patina {
 namespace {
 
 std::string line_of(const RankedMaterial& m) {
-  char evidence[32], misfit[16] = "", text[128];
-  if (m.misfit) std::snprintf(misfit, sizeof misfit, "%.1f", *m.misfit);
-  if (m.error)
-    std::snprintf(evidence, sizeof evidence, "%9.1f +- %.1f", m.log_evidence, *m.error);
-  else
-    std::snprintf(evidence, sizeof evidence, "%9.1f  about", m.log_evidence);
-  std::snprintf(text, sizeof text, "%-12s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence,
-                m.probability, m.parameters, misfit, m.seconds);
-  return text;
+  const std::string misfit = m.misfit ? format("%.1f", *m.misfit) : "";
+  const std::string evidence =
+      m.error ? format("%9.1f +- %.1f", m.log_evidence, *m.error) : format("%9.1f  about", m.log_evidence);
+  return format("%-12s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence.c_str(), m.probability,
+                m.parameters, misfit.c_str(), m.seconds);
 }
 
 }  // namespace

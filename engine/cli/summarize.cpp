@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/cli/command.h"
+#include "engine/cli/picture_text.h"
 #include "engine/cli/print.h"
 #include "engine/cli/summary_text.h"
 #include "engine/error.h"
@@ -15,8 +17,13 @@ namespace {
 
 struct Options {
   std::filesystem::path directory;
-  bool json = false;
+  bool json = false, picture = false;
 };
+
+NeededPicture compare_pictures(const DrawSource& run, const std::vector<Draw>& draws) {
+  return needed_picture(run.settings(), run.photo(), draws, kUsualPairs,
+                        [](const std::string& doing) { std::fprintf(stderr, "trying %s\n", doing.c_str()); });
+}
 
 int summarize(const Options& options) {
   const auto run = open_run(options.directory);
@@ -24,7 +31,14 @@ int summarize(const Options& options) {
   if (std::ranges::all_of(draws, &Draw::warmup))
     throw UserError("The run in " + options.directory.string() + " has no draws after warm-up (" +
                     run->status().message + "): wait, or export its best match with --draw map.");
-  options.json ? print(summary_json(*run, draws)) : print(summary_table(*run, draws));
+  if (options.json) {
+    nlohmann::ordered_json summary = summary_json(*run, draws);
+    if (options.picture) summary["picture"] = picture_json(compare_pictures(*run, draws));
+    print(summary);
+  } else {
+    print(summary_table(*run, draws));
+    if (options.picture) print(picture_table(compare_pictures(*run, draws)));
+  }
   return kDone;
 }
 
@@ -35,6 +49,9 @@ void add_summarize(CLI::App& app, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "summarize", "Mean, sd, quantiles, MCSE, ESS and R-hat of every parameter; acceptance of every chain");
   command.add_option("RUN_DIR", options->directory, "A run directory, also one that still grows")->required();
+  command.add_flag("--picture", options->picture,
+                   "Also say how many pixels and levels of the network this photo needs, from some draws "
+                   "evaluated with fewer; takes up to a minute");
   command.add_flag("--json", options->json, "As one JSON document");
   command.callback([options, &chosen] { chosen = [options] { return summarize(*options); }; });
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/format.h"
 #include "engine/io/params_json.h"
 #include "engine/material/off_values.h"
 #include "engine/run/advice.h"
@@ -95,12 +95,7 @@ Json alarms_json(const Alarms& alarms) {
 
 /// Four significant digits, right-aligned; a dash where there is no number.
 std::string cell(double value, int width = 10) {
-  char text[32];
-  if (std::isfinite(value))
-    std::snprintf(text, sizeof text, "%*.4g", width, value);
-  else
-    std::snprintf(text, sizeof text, "%*s", width, "-");
-  return text;
+  return std::isfinite(value) ? format("%*.4g", width, value) : format("%*s", width, "-");
 }
 
 std::string name_cell(const std::string& name) {
@@ -150,11 +145,8 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
 std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws) {
   const RunSummary summary = summarize_draws(run.table(), draws);
   std::string text = name_cell("");
-  for (const char* title : {"mean", "sd", "5%", "50%", "95%", "MCSE", "bulk ESS", "tail ESS", "R-hat"}) {
-    char cell[16];
-    std::snprintf(cell, sizeof cell, "%10s", title);
-    text += cell;
-  }
+  for (const char* title : {"mean", "sd", "5%", "50%", "95%", "MCSE", "bulk ESS", "tail ESS", "R-hat"})
+    text += format("%10s", title);
   text += "\n";
   for (const QuantitySummary& quantity : summary.quantities) text += quantity_line(quantity);
   for (const DirectionSummary& direction : summary.directions) text += direction_line(direction);

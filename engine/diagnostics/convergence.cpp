@@ -109,6 +109,10 @@ double quantile(ChainDraws draws, double probability) {
   return quantile_of(values, probability);
 }
 
+double standard_deviation(ChainDraws draws) {
+  return std::sqrt((draws.array() - draws.mean()).square().sum() / static_cast<double>(draws.size() - 1));
+}
+
 double ebfmi(const Eigen::Ref<const Eigen::VectorXd>& energy) {
   if (!defined(energy) || constant(energy)) return kNaN;
   const Eigen::Index n = energy.size();

@@ -37,6 +37,9 @@ double mcse_quantile(ChainDraws draws, double probability);
 /// NaN
 double quantile(ChainDraws draws, double probability);
 
+/// Of all draws, chains pooled, with the divisor n - 1.
+double standard_deviation(ChainDraws draws);
+
 /// Estimated Bayesian fraction of missing information (Betancourt 2016): the mean squared change of the
 /// energy over its variance; 2 for independent energies, below 0.3 is a warning. @param energy  of one chain
 double ebfmi(const Eigen::Ref<const Eigen::VectorXd>& energy);

@@ -23,6 +23,8 @@ namespace patina {
 /// "network_sha256", "materials": [...]}.
 class MaterialChooser {
  public:
+  static constexpr int kSide = 128;  ///< pixels a side at which photos are looked at
+
   /// @throws UserError for a file that is not one, or was made with another bundled network
   static MaterialChooser load(const std::filesystem::path& file);
 
@@ -33,7 +35,7 @@ class MaterialChooser {
   Eigen::VectorXd log_probabilities(const Image& photo, const Capture& capture) const;
 
  private:
-  PhotoFeatures features_;
+  PhotoFeatures features_{kSide};
   DenseNetwork network_;
   std::vector<std::string> materials_;
 };

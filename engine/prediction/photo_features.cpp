@@ -44,7 +44,7 @@ void append_gram(const float* triangle, Eigen::Index channels, std::vector<float
 
 }  // namespace
 
-PhotoFeatures::PhotoFeatures() : summary_(make_summary("gram+rings+bands", {})) {}
+PhotoFeatures::PhotoFeatures(int side) : side_(side), summary_(make_summary("gram+rings+bands", {})) {}
 
 Eigen::Index PhotoFeatures::size() const {
   Eigen::Index size = 2;  // of the capture
@@ -54,7 +54,7 @@ Eigen::Index PhotoFeatures::size() const {
 
 Eigen::VectorXf PhotoFeatures::operator()(const Image& photo, const Capture& capture) const {
   const at::NoGradGuard no_grad;
-  const at::Tensor summary = (*summary_)(to_tensor(resized(photo, kSide))).contiguous();
+  const at::Tensor summary = (*summary_)(to_tensor(resized(photo, side_))).contiguous();
   const float* entry = summary.data_ptr<float>();
   std::vector<float> features;
   for (const SummaryBlock& block : summary_->blocks()) {

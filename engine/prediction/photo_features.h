@@ -18,16 +18,17 @@ class Summary;
 /// Safe to call from several threads.
 class PhotoFeatures {
  public:
-  static constexpr int kSide = 128;  ///< pixels a side at which photos are looked at
-
-  PhotoFeatures();  ///< @throws UserError if the bundled network cannot be read
+  /// @param side  pixels a side at which photos are looked at
+  /// @throws UserError if the bundled network cannot be read
+  explicit PhotoFeatures(int side);
 
   Eigen::Index size() const;
 
-  /// @param photo  square, 3 channels, sRGB in [0,1]; resampled to kSide
+  /// @param photo  square, 3 channels, sRGB in [0,1]; resampled to the side
   Eigen::VectorXf operator()(const Image& photo, const Capture& capture) const;
 
  private:
+  int side_;
   std::shared_ptr<const Summary> summary_;
 };
 

@@ -26,6 +26,8 @@ namespace patina {
 /// under.
 class Predictor {
  public:
+  static constexpr int kSide = 128;  ///< pixels a side at which photos are looked at
+
   /// @throws UserError for a file that is not one, or of another material's, network's or version's make
   static Predictor load(const std::filesystem::path& file, const ParameterTable& table);
 
@@ -37,7 +39,7 @@ class Predictor {
 
  private:
   friend class PredictorReader;
-  PhotoFeatures features_;
+  PhotoFeatures features_{kSide};
   ParameterTable table_;  ///< with the priors of its training
   DenseNetwork network_;
 };

@@ -3,10 +3,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/diagnostics/conditioning.h"
+#include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/density_at.h"
+#include "engine/format.h"
 #include "engine/posterior/prior_transform.h"
 #include "engine/run/draw_matrix.h"
 #include "engine/run/verdict.h"
@@ -18,16 +19,6 @@ constexpr double kRedundant = 0.9;        // correlation
 constexpr double kFewestEffective = 100;  // draws of a parameter about which anything is said
 
 double normal_cdf(double u) { return 0.5 * std::erfc(-u * M_SQRT1_2); }
-
-std::string text(const char* format, auto... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
-double standard_deviation(const Eigen::MatrixXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
 
 /// One column a parameter, chains under each other.
 Eigen::MatrixXd pooled(const std::vector<Eigen::MatrixXd>& coordinates) {
@@ -118,20 +109,20 @@ class Adviser {
   }
 
   static std::string sentence_of(const ParameterAdvice& a) {
-    const std::string hold = a.freeze_at ? text(" It can be held at %.3g.", *a.freeze_at)
+    const std::string hold = a.freeze_at ? format(" It can be held at %.3g.", *a.freeze_at)
                                          : " Held, it would change what the photo says of others: leave it.";
     if (a.off && a.off->ratio - 2 * a.off->error > kUnneeded)
-      return text(
+      return format(
                  "This photo does not need %s: without it (%.3g) is %.1f +- %.1f times likelier than before.",
                  a.name.c_str(), a.off->value, a.off->ratio, a.off->error) +
              hold;
     if (!a.identified)
-      return text("This photo does not pin down %s: %.0f %% of the prior's spread is left.", a.name.c_str(),
-                  100 * a.sd_over_prior_sd) +
+      return format("This photo does not pin down %s: %.0f %% of the prior's spread is left.", a.name.c_str(),
+                    100 * a.sd_over_prior_sd) +
              hold;
     if (!a.redundant_with.empty())
-      return text("This photo tells little more than a combination of %s and %s (correlation %.2f).",
-                  a.name.c_str(), a.redundant_with.c_str(), a.correlation);
+      return format("This photo tells little more than a combination of %s and %s (correlation %.2f).",
+                    a.name.c_str(), a.redundant_with.c_str(), a.correlation);
     return {};
   }
 

@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/optimizer.h"
+#include "engine/sampling/prior_draw.h"
 
 namespace patina {
 namespace {
@@ -21,12 +22,6 @@ constexpr int kClimb = 20;          // iterations
 double deepest_fall(Eigen::Index dimension) {
   const auto d = static_cast<double>(dimension);
   return d + 3 * std::sqrt(2 * d);
-}
-
-Eigen::VectorXi uniform_levels(const std::vector<int>& levels, Rng& rng) {
-  Eigen::VectorXi drawn(static_cast<Eigen::Index>(levels.size()));
-  for (std::size_t i = 0; i < levels.size(); ++i) drawn[static_cast<Eigen::Index>(i)] = rng.below(levels[i]);
-  return drawn;
 }
 
 /// From the mode towards a draw from the prior; jagged coordinates by Laplace's approximation.
@@ -53,7 +48,7 @@ ChainState overdispersed_start(const LogDensity& target, const ChainState& mode,
   for (int i = 0; i < kStartTries; ++i, spread *= kNarrowing) {
     Position start = mode.position;
     start.continuous = draw_coordinates(target, mode.position.continuous, laplace, spread, rng);
-    if (i < kStartTries / 2) start.discrete = uniform_levels(target.discrete_levels(), rng);
+    if (i < kStartTries / 2) start.discrete = draw_levels(target.discrete_levels(), rng);
     const OptimizerResult climbed = maximize(target, start, climb);
     if (climbed.evaluation.log_density >= climb.good_enough) return {climbed.position, climbed.evaluation};
   }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 
 #include "engine/diagnostics/modes.h"
+#include "engine/format.h"
 #include "engine/posterior/prior_transform.h"
 
 namespace patina {
@@ -17,16 +17,10 @@ namespace {
 using Chains = std::vector<std::vector<const Draw*>>;
 
 std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, share < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
-  return text;
+  return share < 0.1 ? format("%.1f %%", 100 * share) : format("%.0f %%", 100 * share);
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string number(double value) { return format("%.3g", value); }
 
 std::optional<Alarm> alone(const RunSummary& summary) {
   if (summary.chains.size() != 1) return std::nullopt;

@@ -44,7 +44,8 @@ struct Manifest {
   std::string reason;                   ///< one sentence, once it ended
   std::optional<PhotoFit> photo_fit;    ///< of calibrated errors, once they are
   std::optional<MapPoint> map;
-  std::vector<MapPoint> basins;  ///< all that the search ended in, best first; the first is the map
+  std::optional<MapPoint> so_far;  ///< the best that the search has met, as long as there is no map
+  std::vector<MapPoint> basins;    ///< all that the search ended in, best first; the first is the map
   RunTimes seconds;
   Alarms alarms;                         ///< of the photo and its best match, see run_alarms()
   std::optional<StopEvidence> evidence;  ///< of the last judgement, where stop rules ask for quality

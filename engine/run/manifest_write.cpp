@@ -98,7 +98,7 @@ Json photo_fit_json(const std::optional<PhotoFit>& fit) {
 }  // namespace
 
 std::string to_json(const Manifest& m) {
-  const Json json = {
+  Json json = {
       {"format", kRunFormat},
       {"program", m.program},
       {"phase", phase_word(m.phase)},
@@ -116,6 +116,7 @@ std::string to_json(const Manifest& m) {
       {"seconds",
        {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
       {"evidence", evidence_json(m.evidence)}};
+  if (m.so_far && !m.map) json["so_far"] = point_json(*m.so_far, m.table);
   // A file name need not be UTF-8; the manifest must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/error.h"
+#include "engine/format.h"
 #include "engine/prediction/material_chooser.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/stopwatch.h"
@@ -15,14 +15,10 @@ namespace {
 constexpr double kSure = 0.95;
 
 std::string sentence_of(const std::vector<RankedMaterial>& ranked) {
-  char text[160];
   if (ranked.size() == 1 || ranked[0].probability > kSure)
-    std::snprintf(text, sizeof text, "At a glance this is %s.", ranked[0].material.c_str());
-  else
-    std::snprintf(text, sizeof text, "At a glance this is %s (%.0f %%) or %s (%.0f %%).",
-                  ranked[0].material.c_str(), 100 * ranked[0].probability, ranked[1].material.c_str(),
-                  100 * ranked[1].probability);
-  return text;
+    return "At a glance this is " + ranked[0].material + ".";
+  return format("At a glance this is %s (%.0f %%) or %s (%.0f %%).", ranked[0].material.c_str(),
+                100 * ranked[0].probability, ranked[1].material.c_str(), 100 * ranked[1].probability);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "engine/run/mode_search.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "engine/error.h"
+#include "engine/format.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/threads.h"
 
@@ -35,10 +35,8 @@ void report(RunShared& shared, const Posterior& posterior, double fraction, cons
 /// "found a match, the next best 12.3 nats behind".
 std::string basins_in_words(const std::vector<OptimizerResult>& basins) {
   if (basins.size() < 2) return "found a match";
-  char text[64];
-  std::snprintf(text, sizeof text, "found a match, the next best %.1f nats behind",
+  return format("found a match, the next best %.1f nats behind",
                 basins[0].evaluation.log_density - basins[1].evaluation.log_density);
-  return text;
 }
 
 }  // namespace
@@ -51,7 +49,8 @@ std::vector<int> pyramid(int resolution) {
 }
 
 ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    const std::vector<Position>& guesses, RunShared& shared) {
+                    const std::vector<Position>& guesses, RunShared& shared,
+                    const std::function<void(const MapPoint&)>& keep) {
   std::vector<std::unique_ptr<ControlledDensity>> controlled;
   std::vector<const LogDensity*> targets;
   for (const auto& posterior : posteriors) {
@@ -65,6 +64,7 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   search.enter_thread = [] { use_tensor_threads(1); };
   search.progress = [&](double fraction, const Position& best, double lp) {
     report(shared, posterior, fraction, best, lp);
+    keep({posterior.values(best), lp});
   };
   Rng rng(settings.seed, 0);
   const MapSearchResult result = search_map(targets, rng, search);
@@ -78,6 +78,7 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   const LogDensity& target = *targets.back();
   ModeFound found{{best.position, best.evaluation},
                   std::make_shared<const Metric>(laplace_covariance(target, best.position)),
+                  {},
                   {},
                   {}};
   for (const OptimizerResult& basin : result.basins)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "engine/posterior/emulator.h"
 #include "engine/posterior/posterior.h"
 #include "engine/run/calibrated_errors.h"
 #include "engine/run/chain.h"
@@ -13,7 +15,7 @@
 
 namespace patina {
 
-/// The same posterior from coarse to fine: 64, 128 ... pixels a side, then settings.resolution.
+/// The same posterior from coarse to fine: 128, 256 ... pixels a side, then the resolution itself.
 std::vector<int> pyramid(int resolution);
 
 /// What the search hands to the chains.
@@ -22,14 +24,17 @@ struct ModeFound {
   std::shared_ptr<const Metric> laplace;   ///< covariance of the normal approximation at the mode
   std::vector<MapPoint> basins;            ///< that the search ended in, best first; empty when recalled
   std::optional<CalibratedErrors> errors;  ///< of calibrated errors: mode and covariance are under them
+  std::optional<Emulator> emulator;        ///< of emulated proposals
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so
 /// far.
 /// @param posteriors  one per level of the pyramid
+/// @param keep        called with that point as it becomes better, by any thread, one at a time
 /// @param guesses     where it looks first; with RunSettings::start "predict" almost only there
 /// @throws RunStopped
 ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    const std::vector<Position>& guesses, RunShared& shared);
+                    const std::vector<Position>& guesses, RunShared& shared,
+                    const std::function<void(const MapPoint& best)>& keep);
 
 }  // namespace patina

@@ -1,28 +1,47 @@
 #include "engine/run/mode_state.h"
 
 #include "engine/error.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/run_files.h"
 #include "engine/run/state_file.h"
 #include "engine/run/state_fits.h"
 #include "engine/sampling/serialise.h"
 
 namespace patina {
+namespace {
 
-void write_mode(const std::filesystem::path& directory, const std::string& run_key, ModeFound found) {
-  Archive archive;
+/// What the settings make optional is there or not with them; an emulator is not before there are chains.
+void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) {
   archive(found.mode, found.laplace);
-  if (found.errors) archive(*found.errors);
+  if (settings.errors == "calibrated") {
+    if (!found.errors) found.errors.emplace();
+    archive(*found.errors);
+  }
+  if (settings.kernel != kEmulated) return;
+  bool emulates = found.emulator.has_value();
+  archive(emulates);
+  if (!emulates) return;
+  if (!found.emulator) found.emulator.emplace();
+  archive(*found.emulator);
+}
+
+}  // namespace
+
+void write_mode(const std::filesystem::path& directory, const std::string& run_key, ModeFound found,
+                const RunSettings& settings) {
+  Archive archive;
+  serialise(archive, found, settings);
   write_state(mode_state_file(directory), run_key, archive.take_bytes());
 }
 
 std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const std::string& run_key,
-                                   const Posterior& target, bool calibrated) {
+                                   const Posterior& target, const RunSettings& settings) {
   ModeFound found;
   const bool is_there = read_state(mode_state_file(directory), run_key, [&](Archive& archive) {
-    archive(found.mode, found.laplace);
-    if (calibrated) archive(found.errors.emplace());
+    serialise(archive, found, settings);
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
-        (calibrated && !fits(*found.errors, target)))
+        (found.errors && !fits(*found.errors, target)) ||
+        (found.emulator && !found.emulator->is_of(target.dimension())))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

@@ -48,7 +48,8 @@ struct PreviewWorker::State {
   std::uint64_t last_ticket = 0;
   std::optional<PreviewRequest> wanted;  ///< with last_ticket
   std::optional<Preview> finished;
-  std::string error;
+  std::uint64_t failed_ticket = 0;
+  std::string error;    ///< with failed_ticket
   std::jthread thread;  // last: joins before what it uses goes
 
   std::optional<Preview> wait_for_request(const std::stop_token& stop) {
@@ -60,11 +61,19 @@ struct PreviewWorker::State {
     return preview;
   }
 
-  void publish(std::optional<Preview> preview, const std::string& sentence) {
+  void publish(Preview preview) {
     {
       const std::lock_guard lock(mutex);
-      if (preview) finished = std::move(preview);
-      error = sentence;
+      finished = std::move(preview);
+    }
+    if (wake) wake();
+  }
+
+  void publish_failure(std::uint64_t ticket, std::string sentence) {
+    {
+      const std::lock_guard lock(mutex);
+      failed_ticket = ticket;
+      error = std::move(sentence);
     }
     if (wake) wake();
   }
@@ -75,9 +84,9 @@ struct PreviewWorker::State {
     while (auto preview = wait_for_request(stop)) {
       try {
         renderer.make_maps(*preview);
-        publish(std::move(preview), {});
+        publish(std::move(*preview));
       } catch (const std::exception& failure) {
-        publish(std::nullopt, first_line(failure.what()));
+        publish_failure(preview->ticket, first_line(failure.what()));
       }
     }
   }
@@ -106,9 +115,9 @@ std::optional<Preview> PreviewWorker::take() {
   return std::exchange(state_->finished, std::nullopt);
 }
 
-std::string PreviewWorker::last_error() const {
+std::string PreviewWorker::error_of(std::uint64_t ticket) const {
   const std::lock_guard lock(state_->mutex);
-  return state_->error;
+  return ticket == state_->failed_ticket ? state_->error : std::string();
 }
 
 }  // namespace patina

@@ -34,9 +34,9 @@ class PreviewWorker {
   explicit PreviewWorker(std::function<void()> wake = {});
   ~PreviewWorker();
 
-  std::uint64_t request(PreviewRequest request);  ///< returns its ticket; tickets grow
-  std::optional<Preview> take();                  ///< the newest finished preview, once
-  std::string last_error() const;                 ///< one sentence, empty if the last request succeeded
+  std::uint64_t request(PreviewRequest request);     ///< returns its ticket, from 1; tickets grow
+  std::optional<Preview> take();                     ///< the newest finished preview, once
+  std::string error_of(std::uint64_t ticket) const;  ///< one sentence, if it was the last to fail; or empty
 
  private:
   struct State;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/format.h"
 
 namespace patina {
 namespace {
@@ -12,27 +13,17 @@ constexpr double kLaplaceError = 3;
 
 /// "12 times", "about 10^17 times" beyond what a number says.
 std::string times(double nats) {
-  char text[32];
-  if (nats < std::log(1e4))
-    std::snprintf(text, sizeof text, "%.2g times", std::exp(nats));
-  else
-    std::snprintf(text, sizeof text, "about 10^%.0f times", nats / std::log(10.0));
-  return text;
+  return nats < std::log(1e4) ? format("%.2g times", std::exp(nats))
+                              : format("about 10^%.0f times", nats / std::log(10.0));
 }
 
 /// The paper's Figure 8: a material that is not the photo's can be fitted, but not well.
 std::string none_fits(const RankedMaterial& best) {
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "None of them fits: the best match, of %s, is off by %.1f times what is usual for a material "
-                "that fits",
-                best.material.c_str(), *best.misfit);
-  std::string sentence = text;
-  if (best.misfit_of_another_sample) {
-    std::snprintf(text, sizeof text, "; another sample of that match would be off by %.1f",
-                  *best.misfit_of_another_sample);
-    sentence += text;
-  }
+  std::string sentence = format(
+      "None of them fits: the best match, of %s, is off by %.1f times what is usual for a material that fits",
+      best.material.c_str(), *best.misfit);
+  if (best.misfit_of_another_sample)
+    sentence += format("; another sample of that match would be off by %.1f", *best.misfit_of_another_sample);
   return sentence + ".";
 }
 

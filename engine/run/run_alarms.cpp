@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "engine/format.h"
 #include "engine/posterior/prior_transform.h"
 #include "engine/run/photo_alarms.h"
 #include "engine/run/threads.h"
@@ -31,29 +31,26 @@ Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position
 std::optional<Alarm> misfit_alarm(const std::vector<BlockMisfit>& misfits) {
   const auto worst = std::ranges::max_element(misfits, {}, &BlockMisfit::in_errors);
   if (worst == misfits.end() || !(worst->in_errors > kFar)) return std::nullopt;
-  char text[256];
-  if (worst->is_colour)
-    std::snprintf(text, sizeof text,
-                  "its colours are off by %.0f of 255 levels, where a good match is off by %.0f",
-                  255 * worst->distance, 255 * worst->distance / worst->in_errors);
-  else
-    std::snprintf(text, sizeof text,
-                  "its texture (%s) is off by %.0f %%, where a good match is off by %.0f %%",
-                  worst->name.c_str(), 100 * worst->distance, 100 * worst->distance / worst->in_errors);
+  const double good = worst->distance / worst->in_errors;
+  const std::string what =
+      worst->is_colour
+          ? format("its colours are off by %.0f of 255 levels, where a good match is off by %.0f",
+                   255 * worst->distance, 255 * good)
+          : format("its texture (%s) is off by %.0f %%, where a good match is off by %.0f %%",
+                   worst->name.c_str(), 100 * worst->distance, 100 * good);
   return Alarm{"misfit",
-               std::string("The best match is far from the photo: ") + text +
+               "The best match is far from the photo: " + what +
                    ". Intervals mean little: try another material, or check the size and the crop."};
 }
 
 std::optional<Alarm> fit_alarm(const PhotoFit& fit, const std::string& material) {
   if (fit.widening <= 1 || fit.p > kRare) return std::nullopt;
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "it is %.2g times as far from simulated photos as they are from each other, and intervals "
-                "were widened %.2g-fold",
-                fit.distance, std::sqrt(fit.widening));
+  const std::string far = format(
+      "it is %.2g times as far from simulated photos as they are from each other, and intervals were "
+      "widened %.2g-fold",
+      fit.distance, std::sqrt(fit.widening));
   return Alarm{"misfit", "This photo does not look like " + material +
-                             " within what its irregularities explain: " + text +
+                             " within what its irregularities explain: " + far +
                              ". Try another material, or check the size and the crop."};
 }
 
@@ -69,9 +66,7 @@ std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterVa
     ++free;
     if (std::abs(u) < furthest) continue;
     furthest = std::abs(u);
-    char value[32];
-    std::snprintf(value, sizeof value, "%.3g", best.continuous[i]);
-    of = parameter.name + " = " + value;
+    of = parameter.name + format(" = %.3g", best.continuous[i]);
   }
   if (free == 0 || Eigen::numext::igammac(free / 2, square / 2) > kUnlikely) return std::nullopt;
   return Alarm{"strained", "The best match needs parameters that the prior calls unlikely, most of all " +

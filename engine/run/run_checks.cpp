@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/run/chain_start.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/run_files.h"
 #include "engine/sampling/kernels.h"
 #include "engine/summary/precision.h"
@@ -70,7 +71,7 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
   if (settings.precision == "bfloat16" && !bfloat16_pays())
     throw UserError("bfloat16 is no faster than float32 on this processor: leave it at float32.");
   check_name("start", settings.start, start_names());
-  check_name("kernel", settings.kernel, kernel_names());
+  check_name("kernel", settings.kernel, run_kernel_names());
   check_name("metric", settings.metric, metric_names());
   check_name("discrete proposal", settings.discrete, discrete_names());
   if (photo.image.empty() || photo.image.width != photo.image.height || photo.image.channels != 3)

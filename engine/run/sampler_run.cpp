@@ -1,5 +1,6 @@
 #include "engine/run/sampler_run.h"
 
+#include <chrono>
 #include <cmath>
 #include <deque>
 #include <string>
@@ -14,6 +15,7 @@
 #include "engine/run/chain.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/controlled_density.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/first_line.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/mode_state.h"
@@ -80,6 +82,10 @@ std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSett
   return [place = posterior.position(start_values(posterior.table(), settings))](Rng&) { return place; };
 }
 
+std::function<Position(Rng&)> start_of(const ModeFound& found) {
+  return [&](Rng& rng) { return emulated_start(*found.emulator, found.mode.position, *found.laplace, rng); };
+}
+
 }  // namespace
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
@@ -92,9 +98,10 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   posteriors_.push_back(std::make_unique<Posterior>(
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
+  if (is_emulated()) check_can_emulate(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
   if (!settings_.refresh) settings_.refresh = usual_refresh(jagged);
-  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged);
+  if (!settings_.warmup) settings_.warmup = is_emulated() ? kEmulatedWarmup : usual_warmup(jagged);
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
@@ -124,7 +131,7 @@ void SamplerRun::take_up() {
   const Manifest made = read_manifest(directory_);
   check_same_run(directory_, made, manifest_);
   check_has_mode(directory_);
-  found_ = read_mode(directory_, run_key_, *posteriors_.front(), is_calibrated());
+  found_ = read_mode(directory_, run_key_, *posteriors_.front(), settings_);
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
   manifest_.basins = made.basins;
@@ -207,8 +214,8 @@ ModeFound SamplerRun::find_or_recall() {
   use_tensor_threads(hardware_threads());
   if (!found_) {
     ModeFound found = search();
-    shared_.write_or_pause([&] { write_mode(directory_, run_key_, found); });
-    return found;
+    keep(found);
+    return with_proposals(std::move(found));
   }
   keep_the_finest();
   if (found_->errors) use(*found_->errors);
@@ -218,7 +225,20 @@ ModeFound SamplerRun::find_or_recall() {
     status.best = posteriors_.back()->values(found_->mode.position);
     status.best_lp = found_->mode.evaluation.log_density;
   });
-  return *found_;
+  return with_proposals(std::move(*found_));
+}
+
+void SamplerRun::keep(const ModeFound& found) {
+  shared_.write_or_pause([&] { write_mode(directory_, run_key_, found, settings_); });
+}
+
+ModeFound SamplerRun::with_proposals(ModeFound found) {
+  if (!is_emulated() || settings_.map_only || found.emulator) return found;
+  const Stopwatch stopwatch(manifest_.seconds.search);
+  found.emulator =
+      learn_emulator(*posteriors_.back(), found.mode.position, *found.laplace, settings_.seed, shared_);
+  keep(found);
+  return found;
 }
 
 /// The draws that there are would be of one posterior, those to come of another.
@@ -252,9 +272,19 @@ ModeFound SamplerRun::search() {
     shared_.control.checkpoint();
     posteriors_.push_back(std::make_unique<Posterior>(posterior_settings(settings_, levels[i]), photo_));
   }
-  ModeFound found = find_mode(posteriors_, settings_, guesses(), shared_);
+  ModeFound found =
+      find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   return found;
+}
+
+void SamplerRun::keep(const MapPoint& best) {
+  constexpr auto kInterval = std::chrono::seconds(2);
+  manifest_.so_far = best;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < keep_next_) return;
+  shared_.write_or_pause([&] { write_manifest(); });
+  keep_next_ = now + kInterval;
 }
 
 ModeFound SamplerRun::calibrate() {
@@ -264,7 +294,7 @@ ModeFound SamplerRun::calibrate() {
   CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), photo_, settings_, shared_);
   use(calibrated.errors);
   show(calibrated.mode.position);
-  return {std::move(calibrated.mode), std::move(calibrated.laplace), {}, std::move(calibrated.errors)};
+  return {std::move(calibrated.mode), std::move(calibrated.laplace), {}, std::move(calibrated.errors), {}};
 }
 
 void SamplerRun::show(const Position& position) {
@@ -274,6 +304,7 @@ void SamplerRun::show(const Position& position) {
     status.best = posterior.values(position);
     status.best_lp = lp;
   });
+  keep({posterior.values(position), lp});
 }
 
 void SamplerRun::use(const CalibratedErrors& errors) {
@@ -285,8 +316,10 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = make_kernel(settings_.kernel, target, settings_.alpha, *settings_.refresh,
-                                  settings_.discrete, settings_.path_length);
+  const auto kernel = found.emulator
+                          ? make_emulated_kernel(*found.emulator, target, settings_.path_length)
+                          : make_kernel(settings_.kernel, target, settings_.alpha, *settings_.refresh,
+                                        settings_.discrete, settings_.path_length);
   const ChainPlan plan{.settings = settings_,
                        .table = table_,
                        .target = target,
@@ -296,7 +329,7 @@ void SamplerRun::sample(const ModeFound& found) {
                        .laplace = found.laplace,
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = start_of(posterior, settings_, photo_)};
+                       .start = found.emulator ? start_of(found) : start_of(posterior, settings_, photo_)};
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
@@ -367,7 +400,9 @@ std::string SamplerRun::outcome() const {
                   "miss photos by"
                 : "");
   }
-  if (!manifest_.map) return "no match was found yet";
+  if (!manifest_.map)
+    return manifest_.so_far ? "the search for a match had not ended, the best that it met is kept"
+                            : "no match was found yet";
   return settings_.map_only ? "the best match was found"
                             : "the best match was found, but there are no draws after warm-up";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 #include "engine/posterior/posterior.h"
 #include "engine/run/chain.h"
 #include "engine/run/draw_source.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/manifest.h"
 #include "engine/run/mode_search.h"
 #include "engine/run/run_lock.h"
@@ -52,11 +54,15 @@ class SamplerRun final : public DrawSource {
   ModeFound find_or_recall();
   std::vector<Position> guesses() const;  ///< where the search looks first
   ModeFound search();
-  void check_is_where_it_was() const;  ///< @throws UserError
+  void keep(const MapPoint& best);  ///< in run.json, at intervals, until there is a map
+  void keep(const ModeFound& found);
+  ModeFound with_proposals(ModeFound found);  ///< learns what its chains are proposed by, if they are
+  void check_is_where_it_was() const;         ///< @throws UserError
   void keep_the_finest();
   ModeFound calibrate();  ///< in place of a search: the photos of the prior that it begins with are one
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
+  bool is_emulated() const { return settings_.kernel == kEmulated; }
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
@@ -71,7 +77,8 @@ class SamplerRun final : public DrawSource {
   std::string run_key_;             ///< of the state files
   std::optional<ModeFound> found_;  ///< by a search that was made before the run was taken up again
   WarmupRecord record_;             ///< of meetings that were held before
-  Manifest manifest_;               ///< the coordinator's, once it runs
+  Manifest manifest_;  ///< the coordinator's, once it runs, and the search's while it waits for it
+  std::chrono::steady_clock::time_point keep_next_;
   std::vector<std::unique_ptr<Posterior>> posteriors_;  ///< coarse to fine; the coordinator's as well
   std::unique_ptr<RunLock> lock_;
   std::int64_t draws_made_ = 0;  ///< after warm-up, all chains

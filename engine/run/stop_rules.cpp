@@ -1,21 +1,11 @@
 #include "engine/run/stop_rules.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "engine/format.h"
 #include "engine/run/verdict.h"
 
 namespace patina {
-namespace {
-
-std::string figure(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-}  // namespace
-
 StopEvidence stop_evidence(const RunSummary& summary) {
   StopEvidence evidence;
   for (const ChainSummary& chain : summary.chains) evidence.draws += chain.draws;
@@ -44,12 +34,12 @@ std::string in_words(const StopRules& rules, const StopEvidence& evidence) {
   if (evidence.least_ess_of.empty()) return "there are too few draws to judge them by the goal";
   std::string text = is_reached(rules, evidence) ? "the goal is reached: " : "the goal is not reached: ";
   if (rules.ess > 0)
-    text += "the fewest effective draws are " + figure("%.0f", evidence.least_ess) + " (" +
-            evidence.least_ess_of + "; " + figure("%g", rules.ess) + " asked for)";
+    text += "the fewest effective draws are " + format("%.0f", evidence.least_ess) + " (" +
+            evidence.least_ess_of + "; " + format("%g", rules.ess) + " asked for)";
   if (rules.ess > 0 && rules.rhat > 0) text += ", ";
   if (rules.rhat > 0)
-    text += "the largest R-hat is " + figure("%.4f", evidence.largest_rhat) + " (" +
-            evidence.largest_rhat_of + "; " + figure("%g", rules.rhat) + " asked for)";
+    text += "the largest R-hat is " + format("%.4f", evidence.largest_rhat) + " (" +
+            evidence.largest_rhat_of + "; " + format("%g", rules.rhat) + " asked for)";
   return text;
 }
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <numeric>
 
 #include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/principal_directions.h"
+#include "engine/format.h"
 #include "engine/posterior/prior_transform.h"
 #include "engine/run/draw_alarms.h"
 #include "engine/run/draw_matrix.h"
@@ -19,10 +19,6 @@ namespace patina {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-double standard_deviation(const Eigen::MatrixXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
 
 QuantitySummary summarize(const std::string& name, const Eigen::MatrixXd& values, double prior_sd) {
   QuantitySummary s;
@@ -61,10 +57,8 @@ std::string name_of(const Eigen::VectorXd& loadings, const ParameterTable& table
   for (const Eigen::Index i : order) {
     const double weight = loadings[i] / loadings[order.front()];
     if (std::abs(weight) < kSmall) break;
-    char factor[16] = "";
-    if (!name.empty())
-      std::snprintf(factor, sizeof factor, " %c %.1f ", weight < 0 ? '-' : '+', std::abs(weight));
-    name += factor + table.continuous[static_cast<std::size_t>(i)].name;
+    if (!name.empty()) name += format(" %c %.1f ", weight < 0 ? '-' : '+', std::abs(weight));
+    name += table.continuous[static_cast<std::size_t>(i)].name;
   }
   return name;
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/format.h"
 
 namespace patina {
 namespace {
@@ -16,26 +17,20 @@ double badness(const QuantitySummary& q) {
   return std::max((q.rhat - 1) / (kGoodRhat - 1), kGoodEss / std::min(q.bulk_ess, q.tail_ess));
 }
 
-std::string figure(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// The chain whose mean is furthest from that of all, in words; empty where there is but one chain.
 std::string chain_apart(const QuantitySummary& q) {
   if (q.chain_means.size() < 2) return "";
   const auto furthest = std::ranges::max_element(
       q.chain_means, {}, [&](const ChainMean& chain) { return std::abs(chain.mean - q.mean); });
   return "; chain " + std::to_string(furthest->chain + 1) + " is furthest apart, about " +
-         figure("%.3g", furthest->mean) + " where all together are about " + figure("%.3g", q.mean);
+         format("%.3g", furthest->mean) + " where all together are about " + format("%.3g", q.mean);
 }
 
 std::string worst_direction(const RunSummary& summary) {
   const auto worst = std::ranges::max_element(summary.directions, {}, &DirectionSummary::rhat);
   if (worst == summary.directions.end() || !(worst->rhat > kGoodRhat)) return "";
   return "; of the directions in which the draws spread most the chains disagree most along " + worst->name +
-         " (R-hat " + figure("%.3f", worst->rhat) + ")";
+         " (R-hat " + format("%.3f", worst->rhat) + ")";
 }
 
 }  // namespace
@@ -62,10 +57,10 @@ std::string verdict(const RunSummary& summary) {
   const QuantitySummary* worst = furthest_from_good(summary);
   if (worst == nullptr) return "There are too few draws to say whether the chains agree.";
   const std::string evidence =
-      worst->name + ", the furthest from it, has R-hat " + figure("%.3f", worst->rhat) + " and " +
-      figure("%.0f", std::min(worst->bulk_ess, worst->tail_ess)) + " effective draws";
+      worst->name + ", the furthest from it, has R-hat " + format("%.3f", worst->rhat) + " and " +
+      format("%.0f", std::min(worst->bulk_ess, worst->tail_ess)) + " effective draws";
   const std::string goal =
-      "R-hat " + figure("%.2f", kGoodRhat) + " and " + figure("%.0f", kGoodEss) + " effective draws";
+      "R-hat " + format("%.2f", kGoodRhat) + " and " + format("%.0f", kGoodEss) + " effective draws";
   if (chains_agree(summary))
     return "The chains agree: every identified parameter has reached " + goal + " (" + evidence + ").";
   return "The chains do not agree yet to " + goal + ": " + evidence + chain_apart(*worst) +

@@ -5,6 +5,7 @@
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/metropolis.h"
+#include "engine/sampling/prior_draw.h"
 
 namespace patina {
 namespace {
@@ -42,9 +43,8 @@ class DiscreteMove final : public Kernel {
   Propose propose_;
 };
 
-Eigen::VectorXi any_levels(const std::vector<int>& levels, Eigen::VectorXi now, Rng& rng) {
-  for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = rng.below(levels[i]);
-  return now;
+Eigen::VectorXi any_levels(const std::vector<int>& levels, const Eigen::VectorXi& /*now*/, Rng& rng) {
+  return draw_levels(levels, rng);
 }
 
 Eigen::VectorXi one_other_level(const std::vector<int>& levels, Eigen::VectorXi now, Rng& rng) {

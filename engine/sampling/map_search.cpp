@@ -11,6 +11,7 @@
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
 
 namespace patina {
 namespace {
@@ -132,7 +133,7 @@ class Search {
     const Eigen::Index n = targets_.front()->dimension();
     std::vector<Position> positions;
     for (int i = 0; i <= settings_.prior_draws; ++i)
-      positions.push_back({i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels()});
+      positions.push_back({i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels(levels_, rng_)});
     return positions;
   }
 
@@ -149,12 +150,6 @@ class Search {
     sort_best_first(results);
     results.resize(std::min(results.size(), static_cast<std::size_t>(count)));
     return results;
-  }
-
-  Eigen::VectorXi draw_levels() {
-    Eigen::VectorXi drawn(levels_.size());
-    for (std::size_t i = 0; i < levels_.size(); ++i) drawn[i] = rng_.below(levels_[i]);
-    return drawn;
   }
 
   void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {

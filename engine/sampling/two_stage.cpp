@@ -11,13 +11,12 @@ namespace patina {
 namespace {
 
 /// What several transitions did, as one: of continuous moves where there was one, for step sizes are adapted
-/// by theirs.
+/// by theirs. That one diverged is no news of the target: it costs a part of a proposal.
 class Journey {
  public:
   void add(const TransitionInfo& info) {
     all_.evaluations += info.evaluations;
     all_.accepted |= info.accepted;
-    all_.divergent |= info.divergent;
     const bool first_continuous = info.move == MoveKind::continuous && all_.move != MoveKind::continuous;
     if (first_continuous) counted_ = 0, sum_ = 0;
     if (counted_ > 0 && info.move != MoveKind::continuous && all_.move == MoveKind::continuous) return;

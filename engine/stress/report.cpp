@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "engine/format.h"
 
 namespace patina {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string figure(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -24,7 +19,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 std::string error_text(const Error& error) {
   if (!std::isfinite(error.size)) return "no answer";
-  return figure("%.2f", error.size) + (std::isfinite(error.mcse) ? " ± " + figure("%.2f", error.mcse) : "");
+  return format("%.2f", error.size) + (std::isfinite(error.mcse) ? " ± " + format("%.2f", error.mcse) : "");
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -36,7 +31,7 @@ std::string counts(const std::vector<Cell>& cells) {
             std::to_string(std::ranges::count(cells, each, &Cell::outcome));
   double seconds = 0;
   for (const Cell& cell : cells) seconds += cell.evidence.seconds;
-  return text + "; " + figure("%.0f", seconds) + " s in all";
+  return text + "; " + format("%.0f", seconds) + " s in all";
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ std::string report_table(const std::vector<Cell>& cells) {
       text += " " + cell_text(cells[k]) + " |";
       seconds += cells[k].evidence.seconds;
     }
-    text += " " + figure("%.1f", seconds) + " |\n";
+    text += " " + format("%.1f", seconds) + " |\n";
   }
   return text + "\n" + counts(cells) + ".\n";
 }

@@ -30,8 +30,12 @@ namespace patina {
 class Network {
  public:
   /// Reads only the tensors that its taps need, and rounds their weights to a precision.
-  /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture
-  static Network load(const std::filesystem::path& file, Precision precision = Precision::float32);
+  /// @param taps  how many of its taps to keep, the first ones; 0: all
+  /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture, or
+  /// if
+  ///                   it has fewer taps
+  static Network load(const std::filesystem::path& file, Precision precision = Precision::float32,
+                      int taps = 0);
 
   /// The feature maps of the taps, each [channels, height, width].
   /// @param image [3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/error.h"
 #include "engine/summary/network.h"
 #include "engine/summary/vgg19.h"
 #include "engine/summary/weights_file.h"
@@ -13,8 +14,8 @@ namespace patina {
 /// Builds a Network from a file's tensors and its description, believing neither.
 class NetworkReader {
  public:
-  NetworkReader(const std::filesystem::path& file, Precision precision)
-      : file_(file), precision_(precision) {}
+  NetworkReader(const std::filesystem::path& file, Precision precision, int wanted_taps)
+      : file_(file), precision_(precision), wanted_taps_(wanted_taps) {}
 
   Network read() {
     const auto json = nlohmann::json::parse(description(), nullptr, false);
@@ -30,6 +31,9 @@ class NetworkReader {
     const std::size_t needed = needed_layers(json["layers"]);
     for (std::size_t i = 0; i < needed; ++i) network.layers_.push_back(read_layer(json["layers"][i]));
     if (taps_ == 0) refuse("its description has no tap");
+    if (taps_ < wanted_taps_)
+      throw UserError("The network " + file_.path().string() + " has " + std::to_string(taps_) +
+                      " levels: gram" + std::to_string(wanted_taps_) + " asks for more.");
     return network;
   }
 
@@ -50,13 +54,13 @@ class NetworkReader {
     refuse("its metadata do not describe a network (entry patina_network), and it is no VGG-19");
   }
 
-  /// Layers up to the last tap.
-  static std::size_t needed_layers(const nlohmann::json& layers) {
-    for (std::size_t count = layers.size(); count > 0; --count) {
-      const nlohmann::json& layer = layers[count - 1];
-      if (layer.is_object() && layer.value("op", nlohmann::json()) == "tap") return count;
-    }
-    return layers.size();
+  /// Layers up to the last tap that is wanted.
+  std::size_t needed_layers(const nlohmann::json& layers) const {
+    std::size_t needed = 0;
+    int taps = 0;
+    for (std::size_t i = 0; i < layers.size() && (wanted_taps_ == 0 || taps < wanted_taps_); ++i)
+      if (layers[i].is_object() && layers[i].value("op", nlohmann::json()) == "tap") needed = i + 1, ++taps;
+    return needed == 0 ? layers.size() : needed;
   }
 
   std::string padding(const nlohmann::json& json) const {
@@ -154,6 +158,7 @@ class NetworkReader {
 
   WeightsFile file_;
   Precision precision_;
+  int wanted_taps_;
   std::map<std::string, at::Tensor> tensors_;
   bool reflect_ = true;
   std::int64_t trunk_channels_ = 3;
@@ -161,8 +166,8 @@ class NetworkReader {
   int taps_ = 0;
 };
 
-Network Network::load(const std::filesystem::path& file, Precision precision) {
-  return NetworkReader(file, precision).read();
+Network Network::load(const std::filesystem::path& file, Precision precision, int taps) {
+  return NetworkReader(file, precision, taps).read();
 }
 
 }  // namespace patina

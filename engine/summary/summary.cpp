@@ -9,6 +9,7 @@
 #include "engine/summary/bin_means.h"
 #include "engine/summary/gram.h"
 #include "engine/summary/log_spectrum.h"
+#include "engine/summary/summary_name.h"
 
 namespace patina {
 namespace {
@@ -43,17 +44,24 @@ class Composition final : public Summary {
   std::vector<Part> parts_;
 };
 
-using MakePart = Part (*)(const std::filesystem::path& network, Precision precision);
+/// What "gram" takes its network from.
+struct Source {
+  std::filesystem::path file;
+  Precision precision;
+  int levels;  ///< of the network; 0: all
+};
 
-Part gram_matrices(const std::filesystem::path& network, Precision precision) {
-  return std::make_shared<GramMatrices>(
-      Network::load(network.empty() ? bundled_network() : network, precision));
+using MakePart = Part (*)(const Source& source);
+
+Part gram_matrices(const Source& source) {
+  const std::filesystem::path file = source.file.empty() ? bundled_network() : source.file;
+  return std::make_shared<GramMatrices>(Network::load(file, source.precision, source.levels));
 }
-Part ring_means(const std::filesystem::path&, Precision) { return std::make_shared<RingMeans>(4); }
-Part fine_ring_means(const std::filesystem::path&, Precision) { return std::make_shared<RingMeans>(16); }
-Part ring_spectrum(const std::filesystem::path&, Precision) { return std::make_shared<RingSpectrum>(8); }
-Part strip_means(const std::filesystem::path&, Precision) { return std::make_shared<StripMeans>(64); }
-Part column_spectrum(const std::filesystem::path&, Precision) { return std::make_shared<ColumnSpectrum>(16); }
+Part ring_means(const Source&) { return std::make_shared<RingMeans>(4); }
+Part fine_ring_means(const Source&) { return std::make_shared<RingMeans>(16); }
+Part ring_spectrum(const Source&) { return std::make_shared<RingSpectrum>(8); }
+Part strip_means(const Source&) { return std::make_shared<StripMeans>(64); }
+Part column_spectrum(const Source&) { return std::make_shared<ColumnSpectrum>(16); }
 
 struct Entry {
   const char* name;
@@ -75,10 +83,14 @@ const Entry& find(const std::string& name) {
     known += (known.empty() ? "" : ", ") + std::string(entry.name);
   }
   throw UserError("There is no summary '" + name + "': use one of " + known +
-                  ", or several joined by +, as in gram+rings.");
+                  ", or several joined by +, as in gram+rings; gram3 keeps three levels of the network.");
 }
 
 }  // namespace
+
+int levels_of(const Summary& summary) {
+  return static_cast<int>(std::ranges::count(summary.blocks(), ErrorScale::relative, &SummaryBlock::scale));
+}
 
 std::vector<std::string> summary_names() {
   std::vector<std::string> names;
@@ -89,14 +101,15 @@ std::vector<std::string> summary_names() {
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,
                                             Precision precision) {
   std::vector<MakePart> chosen;
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find('+', begin), name.size());
-    for (const MakePart part : find(name.substr(begin, end - begin)).parts)
+  Source source{network, precision, 0};
+  for (const std::string& named : parts_of(name)) {
+    const auto [base, levels] = without_levels(named);
+    if (levels > 0) source.levels = levels;
+    for (const MakePart part : find(base).parts)
       if (std::ranges::find(chosen, part) == chosen.end()) chosen.push_back(part);
-    begin = end + 1;
   }
   std::vector<Part> parts;
-  for (const MakePart part : chosen) parts.push_back(part(network, precision));
+  for (const MakePart part : chosen) parts.push_back(part(source));
   return std::make_shared<Composition>(std::move(parts));
 }
 

@@ -40,11 +40,15 @@ class Summary {
   virtual int minimum_resolution() const = 0;
 };
 
-/// "gram"   Gram matrices of a network's features, and the mean colours of 4 concentric rings
+/// "gram"   Gram matrices of a network's features, and the mean colours of 4 concentric rings; "gram3", only
+///          those of its first three levels, whatever lies behind not being loaded or run
 /// "rings"  mean colours of 16 concentric rings, and the spectrum in 8 rings (isotropic, fine: flakes)
 /// "bands"  mean colours of 64 upright strips, and the columns' spectrum in 16 bands (brushed metal)
 /// "means"  mean colours of 4 concentric rings
 std::vector<std::string> summary_names();
+
+/// How many levels of its network a summary keeps.
+int levels_of(const Summary& summary);
 
 /// @param name     one of summary_names(), or several joined by '+' ("gram+rings"): all their blocks, in that
 ///                 order, what two of them share only once

@@ -133,6 +133,26 @@ TEST(ChartSettings, fit_their_target) {
   EXPECT_THROW(preset_settings("slow", {}), std::invalid_argument);
 }
 
+TEST(ChartSettings, keep_fewer_levels_of_a_network_that_has_them) {
+  for (const int levels : {0, 3, 5}) {
+    const auto settings =
+        preset_settings("full", {.summary = "gram+rings", .resolution = 64, .levels = levels});
+    const auto kept = [](const ChartSetting& setting) {
+      return setting.name.find(" level") != setting.name.npos;
+    };
+    EXPECT_EQ(std::ranges::count_if(settings, kept), std::max(0, levels - 1));
+    EXPECT_EQ(std::ranges::count(settings, "gram2+rings", &ChartSetting::summary), levels > 2);
+  }
+}
+
+TEST(ChartSettings, emulate_what_is_smooth) {
+  for (const bool smooth : {false, true})
+    for (const std::string& preset : chart_presets()) {
+      const auto settings = preset_settings(preset, {.resolution = 64, .can_emulate = smooth});
+      EXPECT_EQ(std::ranges::count(settings, "emulated", &ChartSetting::kernel), smooth) << preset;
+    }
+}
+
 TEST(ChartSettings, round_where_that_pays) {
   for (const bool can_round : {false, true}) {
     const auto settings = preset_settings("quick", {.resolution = 64, .can_round = can_round});

@@ -37,7 +37,7 @@ TEST_F(PreviewWorkerTest, MakesTheMapsOfTheRequest) {
   EXPECT_EQ(preview->request.values, values_);
   EXPECT_TRUE(comes_true([&] { return wakes == 1; }));
   EXPECT_FALSE(worker.take());
-  EXPECT_EQ(worker.last_error(), "");
+  EXPECT_EQ(worker.error_of(preview->ticket), "");
 }
 
 TEST_F(PreviewWorkerTest, TheNewestRequestWinsAndOlderOnesAreDropped) {
@@ -60,11 +60,12 @@ TEST_F(PreviewWorkerTest, SaysWhyThereIsNoPreviewAndGoesOn) {
   PreviewWorker worker;
   PreviewRequest unknown = request_at(values_, 64);
   unknown.material = "nosuch";
-  worker.request(unknown);
-  ASSERT_TRUE(comes_true([&] { return !worker.last_error().empty(); }));
-  EXPECT_NE(worker.last_error().find("nosuch"), std::string::npos);
-  EXPECT_TRUE(wait_for(worker, worker.request(request_at(values_, 64))));
-  EXPECT_EQ(worker.last_error(), "");
+  const std::uint64_t failing = worker.request(unknown);
+  ASSERT_TRUE(comes_true([&] { return !worker.error_of(failing).empty(); }));
+  EXPECT_NE(worker.error_of(failing).find("nosuch"), std::string::npos);
+  const auto next = wait_for(worker, worker.request(request_at(values_, 64)));
+  ASSERT_TRUE(next);
+  EXPECT_EQ(worker.error_of(next->ticket), "") << "a request is not blamed for the one before";
 }
 
 TEST_F(PreviewWorkerTest, MayBeDestroyedWhileItWorks) {

@@ -49,6 +49,19 @@ TEST_F(StartRunRefuses, ImpossibleNumbers) {
             std::string::npos);
 }
 
+TEST_F(StartRunRefuses, EmulatedProposalsWhereThereAreNone) {
+  const auto sentence = [&](const std::function<void(RunSettings&)>& change) {
+    return refusal([&](auto& s) {
+      s.kernel = "emulated";
+      change(s);
+    });
+  };
+  EXPECT_NE(sentence([](auto& s) { s.material = "leather"; }).find("which leather has"), std::string::npos);
+  EXPECT_NE(sentence([](auto& s) { s.errors = "calibrated"; }).find("calibrated errors"), std::string::npos);
+  EXPECT_NE(sentence([](auto& s) { s.temper = 4; }).find("ladder"), std::string::npos);
+  EXPECT_NE(sentence([](auto& s) { s.start = "prior"; }).find("best match"), std::string::npos);
+}
+
 TEST_F(StartRunRefuses, APrecisionThatThisProcessorGainsNothingFrom) {
   if (bfloat16_pays()) GTEST_SKIP() << "this one gains";
   EXPECT_NE(refusal([](auto& s) { s.precision = "bfloat16"; }).find("leave it at float32"),

@@ -9,6 +9,7 @@
 
 #include "engine/summary/bin_means.h"
 #include "engine/summary/log_spectrum.h"
+#include "engine/summary/summary_name.h"
 #include "tests/summary/gradients.h"
 #include "tests/summary/naive.h"
 #include "tests/summary/network_files.h"
@@ -197,6 +198,20 @@ TEST(Bins, AreFiniteWithTheirGradientsOnAConstantImageAndAtTheSmallestResolution
   }
 }
 
+TEST(Composition, OfFewerLevelsBeginsWithTheSameAndKeepsAllThatHasNoNetwork) {
+  const at::Tensor image = random_image(64);
+  EXPECT_EQ(with_levels("gram+rings", 3), "gram3+rings");
+  EXPECT_EQ(with_levels("rings+gram5", 2), "rings+gram2");
+  EXPECT_EQ(with_levels("bands", 2), "bands");
+  const auto all = make_summary("gram+rings", {}), some = make_summary("gram2+rings", {});
+  EXPECT_EQ(levels_of(*all), 5);
+  EXPECT_EQ(levels_of(*some), 2);
+  const at::Tensor whole = (*all)(image), part = (*some)(image);
+  const std::int64_t grams = some->blocks()[0].size + some->blocks()[1].size, rest = part.numel() - grams;
+  EXPECT_TRUE(part.slice(0, 0, grams).equal(whole.slice(0, 0, grams)));
+  EXPECT_TRUE(part.slice(0, grams).equal(whole.slice(0, whole.numel() - rest)));
+}
+
 TEST(Composition, IsItsPartsInOrderAndWhatTheyShareOnce) {
   const at::Tensor image = random_image(64);
   const auto parts = make_summary("bands+means", {});
@@ -208,7 +223,8 @@ TEST(Composition, IsItsPartsInOrderAndWhatTheyShareOnce) {
   EXPECT_EQ(parts->blocks().size(), 3u);
   EXPECT_EQ(parts->minimum_resolution(), 32);
   EXPECT_EQ(make_summary("gram+means", {})->blocks().size(), make_summary("gram", {})->blocks().size());
-  for (const char* bad : {"", "+", "gram+", "+means", "gram++means", "gram,means", "gram + means"})
+  for (const char* bad :
+       {"", "+", "gram+", "+means", "gram++means", "gram,means", "gram + means", "gram0", "gram10", "rings3"})
     EXPECT_NE(user_error([&] { make_summary(bad, {}); }).find("There is no summary"), std::string::npos)
         << bad;
 }

@@ -78,6 +78,24 @@ TEST_F(NetworkTest, WhatLiesBehindTheLastTapIsNeitherReadNorRun) {
   EXPECT_EQ(network.features(random_image(8)).size(), 1u);
 }
 
+TEST_F(NetworkTest, FirstLevelsAloneAreTheSameAndTheOthersAreNotRead) {
+  const std::filesystem::path whole = file(small_network());
+  const at::Tensor image = random_image(20);
+  const std::vector<at::Tensor> all = Network::load(whole).features(image);
+  ASSERT_EQ(all.size(), 3u);
+  for (const int levels : {1, 2, 3}) {
+    const std::vector<at::Tensor> some = Network::load(whole, Precision::float32, levels).features(image);
+    ASSERT_EQ(std::ssize(some), levels);
+    for (std::size_t i = 0; i < some.size(); ++i) EXPECT_TRUE(some[i].equal(all[i])) << levels;
+  }
+  EXPECT_NE(user_error([&] { make_summary("gram4", whole); }).find("gram4 asks for more"), std::string::npos);
+  SafeTensors damaged = small_network();
+  damaged.tensors["b.bias"].fill_(std::numeric_limits<double>::quiet_NaN());
+  const std::filesystem::path path = file(damaged);
+  EXPECT_NE(user_error([&] { Network::load(path); }), "");
+  EXPECT_EQ(levels_of(*make_summary("gram1+rings", path)), 1);
+}
+
 TEST_F(NetworkTest, TellsItsChannelsAndTheSmallestImageItTakes) {
   const Network network = Network::load(file(small_network()));
   EXPECT_EQ(network.feature_channels(), (std::vector<std::int64_t>{4, 2, 3}));

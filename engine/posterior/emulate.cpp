@@ -1,0 +1,134 @@
+#include "engine/posterior/emulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/sampling/kernels.h"
+#include "engine/sampling/parallel_for.h"
+#include "engine/sampling/rng.h"
+#include "engine/sampling/sample.h"
+
+namespace patina {
+namespace {
+
+constexpr std::uint64_t kStream = 0x656d'756c;  // apart from the search's and the chains'
+constexpr double kSpread = 1.2;                 // of the first round, Laplace's sds
+constexpr int kRound = 60;                      // evaluations of every further one
+
+class Learner {
+ public:
+  Learner(const Posterior& posterior, const EmulateSettings& settings)
+      : posterior_(posterior),
+        settings_(settings),
+        observed_(posterior.photo_summary().cwiseQuotient(posterior.hand_set_errors())) {}
+
+  EmulatorExamples evaluate(const Eigen::MatrixXd& places) const {
+    EmulatorExamples examples{places, Eigen::MatrixXd(observed_.size(), places.cols())};
+    const auto work = [&](std::size_t i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const Position position{places.col(column), Eigen::VectorXi()};
+      examples.residuals.col(column) = posterior_.predicted(position) - observed_;
+      if (settings_.evaluated) settings_.evaluated();
+    };
+    parallel_for(static_cast<std::size_t>(places.cols()), settings_.threads, work, settings_.enter_thread);
+    return examples;
+  }
+
+ private:
+  const Posterior& posterior_;
+  const EmulateSettings& settings_;
+  Eigen::VectorXd observed_;
+};
+
+Eigen::MatrixXd about(const Position& mode, const Metric& laplace, Eigen::Index count, Rng& rng) {
+  Eigen::MatrixXd places(mode.continuous.size(), count);
+  for (auto place : places.colwise())
+    place = mode.continuous + kSpread * laplace.colour(rng.normals(mode.continuous.size()));
+  return places;
+}
+
+constexpr int kMovesAProposal = 50;
+constexpr double kProposing = 0.8;  // share of the proposals; the others are random walks
+constexpr double kPathLength = 1.5;
+
+/// HMC, and refresh moves.
+std::unique_ptr<Kernel> kernel_of(const std::string& name, const LogDensity& target, double path_length) {
+  return make_kernel(name, target, 1, usual_refresh(/*has_jagged=*/false), "joint", path_length);
+}
+
+/// So many draws, hardly depending on each other.
+Eigen::MatrixXd draws_of(const Emulator& emulator, const Position& start, const Metric& metric, int count,
+                         std::uint64_t seed) {
+  constexpr int kChains = 4, kApart = 10;
+  SampleSettings settings;
+  settings.chains = kChains;
+  settings.warmup = 300;
+  settings.draws = kApart * count / kChains;
+  settings.seed = seed;
+  settings.noise_repeats = 0;
+  const auto kernel = kernel_of("hmc", emulator, kPathLength);
+  const Sample sample = patina::sample(
+      emulator, *kernel, settings, [&](Rng&) { return start; }, metric);
+  Eigen::MatrixXd draws(emulator.dimension(), count);
+  for (Eigen::Index i = 0; i < draws.rows(); ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      draws(i, j) = sample.coordinates[static_cast<std::size_t>(i)]((j / kChains) * kApart, j % kChains);
+  return draws;
+}
+
+/// Standard deviation of what the emulator's log densities are off by, a constant apart.
+double error_of(const Emulator& emulator, const EmulatorExamples& fresh) {
+  Eigen::VectorXd errors(fresh.count());
+  for (Eigen::Index i = 0; i < errors.size(); ++i) {
+    const Position position{fresh.places.col(i), Eigen::VectorXi()};
+    const double exact = -position.continuous.squaredNorm() / 2 - fresh.residuals.col(i).squaredNorm() / 2;
+    errors[i] = exact - emulator.evaluate(position).log_density;
+  }
+  return std::sqrt((errors.array() - errors.mean()).square().mean());
+}
+
+}  // namespace
+
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
+                                             double path_length) {
+  return make_mixture(make_two_stage(kernel_of("hmc", emulator, path_length), emulator, kMovesAProposal),
+                      kernel_of("mh", target, path_length), kProposing);
+}
+
+Position emulated_start(const Emulator& emulator, const Position& mode, const Metric& laplace, Rng& rng) {
+  constexpr int kTransitions = 100;
+  constexpr double kFurther = 1.2;
+  const auto kernel = kernel_of("hmc", emulator, kPathLength);
+  const KernelSettings settings{0.3, std::make_shared<const Metric>(laplace)};
+  ChainState state{mode, emulator.evaluate(mode)};
+  for (int i = 0; i < kTransitions; ++i) kernel->step(emulator, settings, state, rng);
+  state.position.continuous = mode.continuous + kFurther * (state.position.continuous - mode.continuous);
+  return state.position;
+}
+
+bool can_emulate(const Posterior& posterior) {
+  return posterior.discrete_levels().empty() && !has_jagged(posterior);
+}
+
+Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
+                  const EmulateSettings& settings) {
+  const Learner learner(posterior, settings);
+  Rng rng(settings.seed, kStream);
+  const Eigen::Index first = 2 * Emulator::monomials(mode.continuous.size());
+  EmulatorExamples examples = learner.evaluate(about(mode, laplace, first, rng));
+  Emulation result;
+  result.emulator = Emulator(examples);
+  while (examples.count() + kRound <= settings.most) {
+    const EmulatorExamples fresh = learner.evaluate(draws_of(*result.emulator, mode, laplace, kRound, rng()));
+    result.error = error_of(*result.emulator, fresh);
+    examples.add(fresh);
+    result.emulator = Emulator(examples);
+    if (result.error <= settings.good) break;
+  }
+  result.evaluations = static_cast<int>(examples.count());
+  if (!(result.error <= settings.poor)) result.emulator.reset();
+  return result;
+}
+
+}  // namespace patina

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "engine/posterior/emulator.h"
+#include "engine/posterior/posterior.h"
+#include "engine/sampling/kernel.h"
+#include "engine/sampling/metric.h"
+
+namespace patina {
+
+struct EmulateSettings {
+  int most = 600;  ///< evaluations of the posterior
+  /// Standard deviation of the emulator's error, nats, at draws of its own that it has not learnt from: at
+  /// most this, and no more are made; above the other one it is of no use. With errors of a normal
+  /// distribution of sd s the posterior takes a share erfc(s / 2) of the proposals: 0.67 and 0.16.
+  double good = 0.6, poor = 2;
+  int threads = 1;
+  std::uint64_t seed = 1;
+  std::function<void()> enter_thread = {};  ///< called first on each thread
+  std::function<void()> evaluated = {};     ///< called after each evaluation, from any thread; may throw
+};
+
+struct Emulation {
+  std::optional<Emulator> emulator;  ///< none: its error stayed poor
+  double error = 0;                  ///< the last one that was measured, nats
+  int evaluations = 0;
+};
+
+/// Many HMC transitions under the emulator propose, the target, evaluated once, takes or refuses
+/// (make_two_stage); and now and then a random walk, which leaves where the emulator thinks too little of a
+/// place. @param emulator  outlives the kernel   @param path_length  as of hmc (kernels.h)
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
+                                             double path_length);
+
+/// A draw of the emulator, a little further out from the mode: where a chain begins.
+Position emulated_start(const Emulator& emulator, const Position& mode, const Metric& laplace, Rng& rng);
+
+/// Whether a posterior can be emulated: polynomials follow no jagged coordinates and no discrete levels.
+bool can_emulate(const Posterior& posterior);
+
+/// Learns an emulator from evaluations about the mode, then from draws of the emulator itself, round by
+/// round, until it foretells the next round's log densities.
+/// @param laplace  the covariance that the posterior has about its mode, about
+Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
+                  const EmulateSettings& settings);
+
+}  // namespace patina

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/posterior/quadratic_features.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+class Archive;
+
+/// Places where a posterior's summary is known: what an emulator learns from.
+struct EmulatorExamples {
+  Eigen::MatrixXd places;     ///< of continuous coordinates, a column each
+  Eigen::MatrixXd residuals;  ///< Posterior::predicted() minus the photo's, a column each
+
+  void add(const EmulatorExamples& more);
+  Eigen::Index count() const { return places.cols(); }
+};
+
+/// A posterior whose renders are emulated: each entry of the summary is a polynomial of the coordinates, so
+/// that value and gradient take microseconds (Conrad, Marzouk, Pillai, Smith 2016, "Accelerating
+/// asymptotically exact MCMC for computationally intensive models via local approximations", whose model is
+/// refined where it is used, too). With w the coordinates, centred and whitened over the examples, and f(w)
+/// the monomials 1, w_i, w_i w_j and w_i^3,
+///   log p(u) = -|u|^2 / 2 - 1/2 |C^T f(w)|^2
+/// of which only C C^T is kept. Never above zero, so that no far place looks better than it may be. Draws of
+/// it are proposals (make_two_stage), nothing more.
+class Emulator final : public LogDensity {
+ public:
+  Emulator() = default;  ///< to be read from an archive
+
+  /// Least squares with a little ridge.
+  /// @param examples  more than the monomials are, spread over all directions
+  explicit Emulator(const EmulatorExamples& examples);
+
+  static Eigen::Index monomials(Eigen::Index dimension);
+
+  Eigen::Index dimension() const override { return centre_.size(); }
+  Evaluation evaluate(const Position& position) const override;
+
+  /// Whether it can be of so many coordinates: sizes, numbers that are finite.
+  bool is_of(Eigen::Index dimension) const;
+  void serialise(Archive& archive);
+
+ private:
+  QuadraticFeatures quadratic() const { return {dimension(), /*products=*/true}; }
+  Eigen::VectorXd features(const Eigen::VectorXd& w) const;
+  /// The derivative of weights . f(w) by w.
+  Eigen::VectorXd slope(const Eigen::VectorXd& w, const Eigen::VectorXd& weights) const;
+
+  Eigen::VectorXd centre_;
+  Eigen::MatrixXd whitening_;  ///< w = whitening (u - centre)
+  Eigen::MatrixXd weights_;    ///< C C^T
+};
+
+}  // namespace patina

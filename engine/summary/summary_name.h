@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace patina {
+
+// Names of summaries (summary.h): parts joined by '+', of which "gram" may end in a number of levels.
+
+/// "gram3", "rings" of "gram3+rings"; an empty one where a '+' stands without a name on each side.
+std::vector<std::string> parts_of(const std::string& summary);
+
+/// "gram" and 3 of "gram3"; 0 of a part that has no number.
+std::pair<std::string, int> without_levels(const std::string& part);
+
+/// The same summary of the first levels of its network alone: "gram3+rings" of "gram+rings" and 3. What has
+/// no network stays as it is. @param levels  from 1 to 9
+std::string with_levels(const std::string& summary, int levels);
+
+}  // namespace patina
