@@ -13,7 +13,8 @@ using Json = nlohmann::json;
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
 Json identity(const Manifest& manifest) {
   Json json = Json::parse(to_json(manifest));
-  for (const char* progress : {"phase", "reason", "map", "basins", "seconds", "evidence", "photo_fit"})
+  for (const char* progress :
+       {"phase", "reason", "map", "so_far", "basins", "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
   json["alarms"] = Json::array();

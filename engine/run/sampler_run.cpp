@@ -134,6 +134,7 @@ void SamplerRun::take_up() {
   found_ = read_mode(directory_, run_key_, *posteriors_.front(), settings_);
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
+  manifest_.so_far = made.so_far;
   manifest_.basins = made.basins;
   manifest_.seconds = made.seconds;
 }

@@ -59,6 +59,9 @@ TEST_F(SamplerRunTest, WhatTheSearchHasMetIsKeptAtAnyMomentAndWhenItIsStopped) {
   ASSERT_TRUE(read.best && ended.best);
   EXPECT_EQ(*read.best, *ended.best);
   EXPECT_EQ(read.best_lp, ended.best_lp);
+  const auto again = resume_run(with_a_long_search(), photo(), directory());
+  EXPECT_FALSE(has_ended(*again)) << again->status().message;
+  EXPECT_TRUE(read_manifest(directory()).so_far) << "until there is a better one";
 }
 
 TEST_F(SamplerRunTest, ARunOfEmulatedProposalsGoesOnFromWhereItWasStoppedToTheSameDraws) {
