@@ -48,8 +48,9 @@ std::optional<std::size_t> find_cost(const CostChart& chart, const RunSettings& 
     const ChartSetting& s = cost.setting;
     const bool own_posterior = s.resolution == 0 && s.summary.empty() && s.proposals == 0;
     return own_posterior && s.errors == settings.errors && s.precision == settings.precision &&
-           s.kernel == settings.kernel && s.metric == settings.metric && s.discrete == settings.discrete &&
-           s.chains == settings.chains && s.alpha == settings.alpha && s.refresh == settings.refresh &&
+           (settings.kernel == kAuto ? s.name == kDefaultSetting : s.kernel == settings.kernel) &&
+           s.metric == settings.metric && s.discrete == settings.discrete && s.chains == settings.chains &&
+           s.alpha == settings.alpha && s.refresh == settings.refresh &&
            s.path_length == settings.path_length;
   };
   const auto found = std::ranges::find_if(chart.costs, alike);

@@ -15,11 +15,17 @@ namespace {
 
 constexpr int kQuickWarmup = 500;
 
-/// The settings of a preset, each the default but for what its change says.
+/// The settings of a preset: the default, and hmc with one change each.
 class Matrix {
  public:
   explicit Matrix(const ChartTarget& target)
-      : target_(target), settings_{default_setting(target.has_jagged)} {}
+      : target_(target),
+        usual_(default_setting(target.has_jagged)),
+        settings_{default_setting(target.has_jagged, target.can_emulate)} {
+    if (!target.can_emulate) return;
+    settings_.push_back(usual_);
+    settings_.back().name = usual_.kernel;
+  }
 
   template <typename T>
   void add(const std::string& name, T ChartSetting::*field, const T& value) {
@@ -28,10 +34,10 @@ class Matrix {
 
   /// Left out if it changes nothing, or cannot be run on the target.
   void add(const std::string& name, const std::function<void(ChartSetting&)>& change) {
-    ChartSetting setting = settings_.front();
+    ChartSetting setting = usual_;
     change(setting);
     if (setting.summary == target_.summary) setting.summary.clear();
-    if (setting == settings_.front() || (target_.has_jagged && setting.refresh == 0)) return;
+    if (setting == usual_ || (target_.has_jagged && setting.refresh == 0)) return;
     setting.name = name;
     settings_.push_back(setting);
   }
@@ -59,10 +65,6 @@ class Matrix {
           with_levels(target_.summary, levels));
   }
 
-  void add_emulated() {
-    if (target_.can_emulate) add<std::string>("emulated proposals", &ChartSetting::kernel, kEmulated);
-  }
-
   void add_calibrated() {
     if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
   }
@@ -79,6 +81,7 @@ class Matrix {
   }
 
   ChartTarget target_;
+  ChartSetting usual_;  ///< without emulated proposals, which leave nothing else to choose
   std::vector<ChartSetting> settings_;
 };
 
@@ -101,7 +104,6 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add_resolution(2);
   matrix.add_proposals(2);
   matrix.add_levels(3);
-  matrix.add_emulated();
   matrix.add_precision();
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
@@ -124,7 +126,6 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
   matrix.add_precision();
-  matrix.add_emulated();
   matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();
@@ -132,11 +133,11 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
 
 }  // namespace
 
-ChartSetting default_setting(bool has_jagged) {
+ChartSetting default_setting(bool has_jagged, bool can_emulate) {
   const RunSettings run;
   ChartSetting setting;
   setting.name = kDefaultSetting;
-  setting.kernel = run.kernel;
+  setting.kernel = kernel_in_use(run, can_emulate);
   setting.metric = run.metric;
   setting.discrete = run.discrete;
   setting.start = run.start;

@@ -32,8 +32,9 @@ inline constexpr int kMovesAProposal = 4;
 inline constexpr const char* kDefaultSetting = "default";
 
 /// How a run draws that is told nothing (RunSettings), named kDefaultSetting.
-/// @param has_jagged  whether its target has jagged coordinates
-ChartSetting default_setting(bool has_jagged = false);
+/// @param has_jagged   whether its target has jagged coordinates
+/// @param can_emulate  and whether it can be emulated
+ChartSetting default_setting(bool has_jagged = false, bool can_emulate = false);
 
 /// What of a target decides which settings make sense.
 struct ChartTarget {
@@ -49,7 +50,8 @@ struct ChartTarget {
 };
 
 /// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500
-/// iterations, a third of the default's; "full": all kernels with all metrics, and several of each respect.
+/// iterations; "full": all kernels with all metrics, and several of each respect. Where the default's
+/// proposals are emulated, the others differ from hmc, which is a setting of its own then.
 std::vector<std::string> chart_presets();
 
 /// @throws std::invalid_argument for a name that is not among chart_presets()

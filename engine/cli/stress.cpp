@@ -13,6 +13,7 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/material/registry.h"
+#include "engine/run/run_settings.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/stress/report.h"
@@ -43,6 +44,17 @@ std::vector<Scenario> chosen_scenarios(const Options& options) {
   return scenarios;
 }
 
+/// Photos of a smooth material are tried as runs draw that are told nothing, too.
+std::vector<std::string> chosen_kernels(const Options& options) {
+  if (!options.kernel.empty()) return {options.kernel};
+  std::vector<std::string> kernels = kernel_names();
+  if (options.material.empty()) return kernels;
+  const ParameterTable table = material_table(options.material);
+  if (table.discrete.empty() && std::ranges::none_of(table.continuous, &Parameter::jagged))
+    kernels.push_back(kAuto);
+  return kernels;
+}
+
 /// Into the page that is there, between its marks, or as a page of its own.
 void write_table(const Options& options, const std::string& table) {
   std::error_code ignored;
@@ -64,8 +76,10 @@ int status_of(const std::vector<Cell>& cells) {
 
 int stress(const Options& options) {
   if (options.threads < 1) throw UserError("--threads must be at least 1.");
+  if (options.kernel == kAuto && options.material.empty())
+    throw UserError("The kernel auto is of runs on photos: give --material, too, or name another kernel.");
   SuiteSettings settings;
-  settings.kernels = options.kernel.empty() ? kernel_names() : std::vector<std::string>{options.kernel};
+  settings.kernels = chosen_kernels(options);
   settings.seed = options.seed;
   settings.threads = options.threads;
   settings.tried = [](const Cell& cell) {
@@ -91,8 +105,10 @@ void add_stress(CLI::App& app, Command& chosen) {
       .add_option("--material", options->material,
                   "Try good and poor photos of this material in place of the densities")
       ->type_name("NAME");
-  command.add_option("--kernel", options->kernel, "One kernel alone: mh, mala, hmc, nuts")
-      ->check(CLI::IsMember(kernel_names()));
+  std::vector<std::string> names = kernel_names();
+  names.push_back(kAuto);
+  command.add_option("--kernel", options->kernel, "One kernel alone: mh, mala, hmc, nuts, auto (of photos)")
+      ->check(CLI::IsMember(names));
   command.add_option("--scenario", options->scenario, "One scenario alone")->type_name("NAME");
   command.add_option("--seed", options->seed, "Seed of everything drawn")
       ->capture_default_str()

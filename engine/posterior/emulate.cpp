@@ -111,6 +111,18 @@ bool can_emulate(const Posterior& posterior) {
   return posterior.discrete_levels().empty() && !has_jagged(posterior);
 }
 
+bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vector<ChainState>& places) {
+  constexpr double kAsGood = 7;  // nats below the mode: a thousandth of its density
+  constexpr double kOff = 4;     // nats, several times what an emulator in use is off by
+  const auto error_at = [&](const ChainState& state) {
+    return state.evaluation.log_density - emulator.evaluate(state.position).log_density;
+  };
+  return std::ranges::any_of(places, [&](const ChainState& place) {
+    return place.evaluation.log_density > mode.evaluation.log_density - kAsGood &&
+           !(std::abs(error_at(place) - error_at(mode)) < kOff);
+  });
+}
+
 Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
                   const EmulateSettings& settings) {
   const Learner learner(posterior, settings);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/posterior/emulator.h"
 #include "engine/posterior/posterior.h"
@@ -41,6 +42,10 @@ Position emulated_start(const Emulator& emulator, const Position& mode, const Me
 
 /// Whether a posterior can be emulated: polynomials follow no jagged coordinates and no discrete levels.
 bool can_emulate(const Posterior& posterior);
+
+/// Whether the emulator is nats off at one of the places that the posterior likes about as well as the mode:
+/// its draws would hardly go there. @param places  of the posterior, with their log densities
+bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vector<ChainState>& places);
 
 /// Learns an emulator from evaluations about the mode, then from draws of the emulator itself, round by
 /// round, until it foretells the next round's log densities.

@@ -1,30 +1,33 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/posterior/emulate.h"
+#include "engine/run/manifest.h"
 #include "engine/run/run_settings.h"
 #include "engine/run/run_shared.h"
 
 namespace patina {
 
-/// The kernel of a run whose proposals come from an emulator (engine/posterior/emulator.h).
-inline constexpr const char* kEmulated = "emulated";
-
-/// Warm-up iterations that its chains take: transitions leave little of where they began.
-constexpr int kEmulatedWarmup = 200;
-
-/// kernel_names() and kEmulated.
+/// kernel_names(), kEmulated and kAuto.
 std::vector<std::string> run_kernel_names();
 
+/// Whether a run is to look for an emulator: kernel "emulated", and "auto" where there may be one.
 /// @throws UserError for a run that asks for emulated proposals where there are none: with jagged coordinates
 ///                   or discrete levels, learnt errors, a ladder, chains that begin elsewhere
-void check_can_emulate(const RunSettings& settings, const Posterior& posterior);
+bool emulates(const RunSettings& settings, const Posterior& posterior);
 
-/// emulate() of a run, on all processors; keeps its status up to date.
-/// @throws RunStopped   @throws UserError where polynomials do not follow the renders
-Emulator learn_emulator(const Posterior& posterior, const Position& mode, const Metric& laplace,
-                        std::uint64_t seed, RunShared& shared);
+/// emulate() of a run, on all processors; keeps its status up to date. None where polynomials do not follow
+/// the renders, or miss a basin, and the kernel is "auto".
+/// @param basins  that the search ended in
+/// @throws RunStopped   @throws UserError where they do so and the kernel is "emulated"
+std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
+                                       const Metric& laplace, const std::vector<MapPoint>& basins,
+                                       const RunSettings& settings, RunShared& shared);
+
+/// The kernel's name without "auto". @param emulated  whether there is an emulator
+std::string kernel_in_use(const RunSettings& settings, bool emulated);
 
 }  // namespace patina

@@ -237,6 +237,7 @@ Manifest manifest(const Json& json) {
   m.phase = phase(json);
   m.reason = text(json, "reason");
   if (const Json& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
+  if (json.contains("kernel")) m.kernel = text(json, "kernel");
   if (json.contains("so_far")) m.so_far = map_point(json["so_far"], m.table);
   if (json.contains("basins"))
     for (const Json& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));

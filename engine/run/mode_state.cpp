@@ -1,7 +1,6 @@
 #include "engine/run/mode_state.h"
 
 #include "engine/error.h"
-#include "engine/run/emulated_proposals.h"
 #include "engine/run/run_files.h"
 #include "engine/run/state_file.h"
 #include "engine/run/state_fits.h"
@@ -17,9 +16,9 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     if (!found.errors) found.errors.emplace();
     archive(*found.errors);
   }
-  if (settings.kernel != kEmulated) return;
+  if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   bool emulates = found.emulator.has_value();
-  archive(emulates);
+  archive(found.has_tried_to_emulate, emulates);
   if (!emulates) return;
   if (!found.emulator) found.emulator.emplace();
   archive(*found.emulator);

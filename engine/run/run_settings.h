@@ -20,6 +20,11 @@ struct StopRules {
   bool operator==(const StopRules&) const = default;
 };
 
+/// The kernel of a run whose proposals come from an emulator (engine/posterior/emulator.h).
+inline constexpr const char* kEmulated = "emulated";
+/// That one where it can be, hmc elsewhere.
+inline constexpr const char* kAuto = "auto";
+
 /// Everything that decides a run, beside the photo's pixels; run.json holds it.
 struct RunSettings {
   std::string material = "bump";
@@ -32,7 +37,7 @@ struct RunSettings {
   /// What renders may be off by, of error_names(): "paper", set by hand; "calibrated", learnt from simulated
   /// photos (posterior/calibrate.h).
   std::string errors = "paper";
-  std::string kernel = "hmc";
+  std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 Json identity(const Manifest& manifest) {
   Json json = Json::parse(to_json(manifest));
   for (const char* progress :
-       {"phase", "reason", "map", "so_far", "basins", "seconds", "evidence", "photo_fit"})
+       {"phase", "reason", "map", "so_far", "kernel", "basins", "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
   json["alarms"] = Json::array();

@@ -98,10 +98,10 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   posteriors_.push_back(std::make_unique<Posterior>(
       posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
-  if (is_emulated()) check_can_emulate(settings_, *posteriors_.front());
+  emulates_ = emulates(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
   if (!settings_.refresh) settings_.refresh = usual_refresh(jagged);
-  if (!settings_.warmup) settings_.warmup = is_emulated() ? kEmulatedWarmup : usual_warmup(jagged);
+  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged);
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
@@ -193,12 +193,10 @@ void SamplerRun::coordinate() noexcept {
 
 void SamplerRun::run_to_the_end() {
   const ModeFound found = find_or_recall();
-  manifest_.map =
-      MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
-  if (!found.basins.empty()) manifest_.basins = found.basins;
   manifest_.alarms =
       run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
+  manifest_.kernel = kernel_in_use(settings_, found.emulator.has_value());
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(found);
@@ -215,12 +213,16 @@ ModeFound SamplerRun::find_or_recall() {
   use_tensor_threads(hardware_threads());
   if (!found_) {
     ModeFound found = search();
+    manifest_.basins = found.basins;
+    note_map(found);
+    shared_.write_or_pause([&] { write_manifest(); });  // before the mode, with which the basins are recalled
     keep(found);
     return with_proposals(std::move(found));
   }
   keep_the_finest();
   if (found_->errors) use(*found_->errors);
   check_is_where_it_was();
+  note_map(*found_);
   shared_.edit_status([&](RunStatus& status) {
     status.search_fraction = 1;
     status.best = posteriors_.back()->values(found_->mode.position);
@@ -229,15 +231,21 @@ ModeFound SamplerRun::find_or_recall() {
   return with_proposals(std::move(*found_));
 }
 
+void SamplerRun::note_map(const ModeFound& found) {
+  manifest_.map =
+      MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
+}
+
 void SamplerRun::keep(const ModeFound& found) {
   shared_.write_or_pause([&] { write_mode(directory_, run_key_, found, settings_); });
 }
 
 ModeFound SamplerRun::with_proposals(ModeFound found) {
-  if (!is_emulated() || settings_.map_only || found.emulator) return found;
+  if (!emulates_ || settings_.map_only || found.has_tried_to_emulate) return found;
   const Stopwatch stopwatch(manifest_.seconds.search);
   found.emulator =
-      learn_emulator(*posteriors_.back(), found.mode.position, *found.laplace, settings_.seed, shared_);
+      learn_emulator(*posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_, shared_);
+  found.has_tried_to_emulate = true;
   keep(found);
   return found;
 }
@@ -319,7 +327,7 @@ void SamplerRun::sample(const ModeFound& found) {
   const ControlledDensity target(posterior, shared_.control);
   const auto kernel = found.emulator
                           ? make_emulated_kernel(*found.emulator, target, settings_.path_length)
-                          : make_kernel(settings_.kernel, target, settings_.alpha, *settings_.refresh,
+                          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
                                         settings_.discrete, settings_.path_length);
   const ChainPlan plan{.settings = settings_,
                        .table = table_,

@@ -55,6 +55,7 @@ class SamplerRun final : public DrawSource {
   std::vector<Position> guesses() const;  ///< where the search looks first
   ModeFound search();
   void keep(const MapPoint& best);  ///< in run.json, at intervals, until there is a map
+  void note_map(const ModeFound& found);
   void keep(const ModeFound& found);
   ModeFound with_proposals(ModeFound found);  ///< learns what its chains are proposed by, if they are
   void check_is_where_it_was() const;         ///< @throws UserError
@@ -62,7 +63,6 @@ class SamplerRun final : public DrawSource {
   ModeFound calibrate();  ///< in place of a search: the photos of the prior that it begins with are one
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
-  bool is_emulated() const { return settings_.kernel == kEmulated; }
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   void sample(const ModeFound& found);
   void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
@@ -74,6 +74,7 @@ class SamplerRun final : public DrawSource {
   RunSettings settings_;
   Image photo_;
   ParameterTable table_;
+  bool emulates_ = false;           ///< whether its chains' proposals are to be emulated
   std::string run_key_;             ///< of the state files
   std::optional<ModeFound> found_;  ///< by a search that was made before the run was taken up again
   WarmupRecord record_;             ///< of meetings that were held before

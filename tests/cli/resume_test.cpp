@@ -80,7 +80,7 @@ TEST_F(Resume, WithAnotherSettingPhotoOrFewerDrawsIsRefusedAndChangesNothing) {
     EXPECT_EQ(finished.status, 2) << finished.err;
     return finished.err;
   };
-  EXPECT_NE(refusal(photo, {"--kernel", "nuts"}).find("settings/kernel (\"hmc\", not \"nuts\")"),
+  EXPECT_NE(refusal(photo, {"--kernel", "nuts"}).find("settings/kernel (\"auto\", not \"nuts\")"),
             std::string::npos);
   EXPECT_NE(refusal(photo, {"--temper", "3"}).find("settings/temper (0, not 3)"), std::string::npos);
   EXPECT_NE(refusal(photo, {"--seed", "2"}).find("settings/seed"), std::string::npos);

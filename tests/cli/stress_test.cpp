@@ -28,6 +28,7 @@ TEST_F(StressTest, RefusesWhatItDoesNotKnowWithOneSentence) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--scenario", "nothing"},
                                                 {"--material", "nothing"},
                                                 {"--kernel", "nothing"},
+                                                {"--kernel", "auto"},
                                                 {"--threads", "0"}}) {
     std::vector<std::string> arguments{"stress"};
     arguments.insert(arguments.end(), words.begin(), words.end());

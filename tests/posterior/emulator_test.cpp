@@ -132,6 +132,18 @@ TEST_F(EmulatedPosterior, IsRefusedWhereItsErrorStaysPoor) {
   EXPECT_GT(made.error, 1e-9);
 }
 
+TEST_F(EmulatedPosterior, IsToldFromOneThatHasAnotherModeByWhatASearchFoundThere) {
+  const Emulation made = emulate(posterior_, mode_, laplace_, usual());
+  ASSERT_TRUE(made.emulator);
+  const ChainState mode{mode_, posterior_.evaluate(mode_)};
+  const auto at = [&](const Eigen::VectorXd& u) { return ChainState{{u, {}}, posterior_.evaluate({u, {}})}; };
+  const ChainState near = at(laplace_.colour(Eigen::VectorXd::Constant(3, 0.5)));
+  EXPECT_FALSE(misses_one(*made.emulator, mode, {near, at(Eigen::VectorXd::Constant(3, 2))}));
+  ChainState other = at(Eigen::VectorXd::Constant(3, 2));
+  other.evaluation.log_density = mode.evaluation.log_density - 1;
+  EXPECT_TRUE(misses_one(*made.emulator, mode, {near, other}));
+}
+
 TEST_F(EmulatedPosterior, DrawsOfItsKernelAreThoseOfHmcAtATenthOfTheRenders) {
   const Emulation made = emulate(posterior_, mode_, laplace_, usual());
   ASSERT_TRUE(made.emulator);

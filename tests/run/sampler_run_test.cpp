@@ -84,6 +84,19 @@ TEST_F(SamplerRunTest, ARunOfEmulatedProposalsGoesOnFromWhereItWasStoppedToTheSa
     EXPECT_EQ(without_times(folder_ / "parts" / name), without_times(folder_ / "whole" / name));
 }
 
+TEST_F(SamplerRunTest, RunJsonTellsWhichKernelItTookByItself) {
+  const auto kernel_of = [&](const std::string& material, const std::string& kernel) {
+    RunSettings asked = settings();
+    asked.material = material;
+    asked.kernel = kernel;
+    draws_to_the_end(*start_run(asked, photo(), folder_ / (material + kernel)));
+    return read_manifest(folder_ / (material + kernel)).kernel;
+  };
+  EXPECT_EQ(kernel_of("bump", "auto"), "emulated");
+  EXPECT_EQ(kernel_of("leather", "auto"), "hmc");
+  EXPECT_EQ(kernel_of("bump", "nuts"), "nuts");
+}
+
 TEST_F(SamplerRunTest, AllDrawsStayInsideThePriorsBoxAndTheBestIsNotWorseThanAnyDraw) {
   RunSettings with_prior = settings();
   with_prior.priors["rough"] = {0.4, 0.1, 0.35, 0.45};
