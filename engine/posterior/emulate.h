@@ -15,10 +15,10 @@ namespace patina {
 
 struct EmulateSettings {
   int most = 600;  ///< evaluations of the posterior
-  /// Standard deviation of the emulator's error, nats, at draws of its own that it has not learnt from: at
-  /// most this, and no more are made; above the other one it is of no use. With errors of a normal
-  /// distribution of sd s the posterior takes a share erfc(s / 2) of the proposals: 0.67 and 0.16.
-  double good = 0.6, poor = 2;
+  /// Standard deviation of the emulator's error, nats, at draws that it has not learnt from, of the prior and
+  /// the root of its likelihood: at most this two rounds in a row, and no more are made; above the other one
+  /// it is of no use. Draws of the posterior itself lie closer together, and err by half as much.
+  double good = 1, poor = 3;
   int threads = 1;
   std::uint64_t seed = 1;
   std::function<void()> enter_thread = {};  ///< called first on each thread
@@ -31,9 +31,9 @@ struct Emulation {
   int evaluations = 0;
 };
 
-/// Many HMC transitions under the emulator propose, the target, evaluated once, takes or refuses
-/// (make_two_stage); and now and then a random walk, which leaves where the emulator thinks too little of a
-/// place. @param emulator  outlives the kernel   @param path_length  as of hmc (kernels.h)
+/// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
+/// refuses (make_two_stage); and now and then a random walk, which leaves where the emulator thinks too
+/// little of a place. @param path_length  as of hmc (kernels.h)
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
                                              double path_length);
 
@@ -47,8 +47,8 @@ bool can_emulate(const Posterior& posterior);
 /// its draws would hardly go there. @param places  of the posterior, with their log densities
 bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vector<ChainState>& places);
 
-/// Learns an emulator from evaluations about the mode, then from draws of the emulator itself, round by
-/// round, until it foretells the next round's log densities.
+/// Learns an emulator from evaluations about the mode, then from draws of the emulator, its likelihood
+/// softened, round by round, until it foretells the next rounds' log densities.
 /// @param laplace  the covariance that the posterior has about its mode, about
 Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
                   const EmulateSettings& settings);

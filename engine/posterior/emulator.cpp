@@ -32,12 +32,14 @@ void EmulatorExamples::add(const EmulatorExamples& more) {
   residuals = side_by_side(residuals, more.residuals);
 }
 
-Emulator::Emulator(const EmulatorExamples& examples) : centre_(examples.places.rowwise().mean()) {
-  whitening_ = whitening_of(examples.places.colwise() - centre_);
+Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) : axes_(axes) {
+  Eigen::MatrixXd x = examples.places;
+  for (auto column : x.colwise()) column = axes_.values(column);
+  centre_ = x.rowwise().mean();
+  whitening_ = whitening_of(x.colwise() - centre_);
   const Eigen::Index n = examples.count(), k = monomials(dimension());
   Eigen::MatrixXd design(n, k);
-  for (Eigen::Index i = 0; i < n; ++i)
-    design.row(i) = features(whitening_ * (examples.places.col(i) - centre_));
+  for (Eigen::Index i = 0; i < n; ++i) design.row(i) = features(whitening_ * (x.col(i) - centre_));
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(k, kRidge);
   ridge[0] = 0;
   const Eigen::MatrixXd normal = design.transpose() * design + Eigen::MatrixXd(ridge.asDiagonal());
@@ -71,17 +73,24 @@ Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, const Eigen::VectorXd&
 
 Evaluation Emulator::evaluate(const Position& position) const {
   const Eigen::VectorXd& u = position.continuous;
-  const Eigen::VectorXd w = whitening_ * (u - centre_), f = features(w), pull = weights_ * f;
-  return {-u.squaredNorm() / 2 - f.dot(pull) / 2, -u - whitening_.transpose() * slope(w, pull)};
+  const Eigen::VectorXd w = whitening_ * (axes_.values(u) - centre_), f = features(w), pull = weights_ * f;
+  const Eigen::VectorXd by_axis = whitening_.transpose() * slope(w, pull);
+  return {-u.squaredNorm() / 2 - f.dot(pull) / 2, -u - axes_.derivatives(u).cwiseProduct(by_axis)};
+}
+
+Emulator Emulator::softened(double power) const {
+  Emulator soft = *this;
+  soft.weights_ *= power;
+  return soft;
 }
 
 bool Emulator::is_of(Eigen::Index dimension) const {
   const Eigen::Index k = monomials(dimension);
-  return centre_.size() == dimension && whitening_.rows() == dimension && whitening_.cols() == dimension &&
-         weights_.rows() == k && weights_.cols() == k && centre_.allFinite() && whitening_.allFinite() &&
-         weights_.allFinite();
+  return axes_.fits(dimension) && centre_.size() == dimension && whitening_.rows() == dimension &&
+         whitening_.cols() == dimension && weights_.rows() == k && weights_.cols() == k &&
+         centre_.allFinite() && whitening_.allFinite() && weights_.allFinite();
 }
 
-void Emulator::serialise(Archive& archive) { archive(centre_, whitening_, weights_); }
+void Emulator::serialise(Archive& archive) { archive(axes_, centre_, whitening_, weights_); }
 
 }  // namespace patina

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "engine/posterior/log_parameters.h"
 #include "engine/posterior/quadratic_features.h"
 #include "engine/sampling/log_density.h"
 
@@ -21,8 +22,8 @@ struct EmulatorExamples {
 /// A posterior whose renders are emulated: each entry of the summary is a polynomial of the coordinates, so
 /// that value and gradient take microseconds (Conrad, Marzouk, Pillai, Smith 2016, "Accelerating
 /// asymptotically exact MCMC for computationally intensive models via local approximations", whose model is
-/// refined where it is used, too). With w the coordinates, centred and whitened over the examples, and f(w)
-/// the monomials 1, w_i, w_i w_j and w_i^3,
+/// refined where it is used, too). With w the parameters' logarithms, centred and whitened over the examples,
+/// and f(w) the monomials 1, w_i, w_i w_j and w_i^3,
 ///   log p(u) = -|u|^2 / 2 - 1/2 |C^T f(w)|^2
 /// of which only C C^T is kept. Never above zero, so that no far place looks better than it may be. Draws of
 /// it are proposals (make_two_stage), nothing more.
@@ -32,12 +33,16 @@ class Emulator final : public LogDensity {
 
   /// Least squares with a little ridge.
   /// @param examples  more than the monomials are, spread over all directions
-  explicit Emulator(const EmulatorExamples& examples);
+  /// @param axes      of all coordinates, or none
+  explicit Emulator(const EmulatorExamples& examples, const LogParameters& axes = {});
 
   static Eigen::Index monomials(Eigen::Index dimension);
 
   Eigen::Index dimension() const override { return centre_.size(); }
   Evaluation evaluate(const Position& position) const override;
+
+  /// With the likelihood to that power: below one its tails are heavier.
+  Emulator softened(double power) const;
 
   /// Whether it can be of so many coordinates: sizes, numbers that are finite.
   bool is_of(Eigen::Index dimension) const;
@@ -49,8 +54,9 @@ class Emulator final : public LogDensity {
   /// The derivative of weights . f(w) by w.
   Eigen::VectorXd slope(const Eigen::VectorXd& w, const Eigen::VectorXd& weights) const;
 
+  LogParameters axes_;
   Eigen::VectorXd centre_;
-  Eigen::MatrixXd whitening_;  ///< w = whitening (u - centre)
+  Eigen::MatrixXd whitening_;  ///< w = whitening (x - centre)
   Eigen::MatrixXd weights_;    ///< C C^T
 };
 

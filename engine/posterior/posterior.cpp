@@ -192,6 +192,12 @@ Posterior Posterior::with(std::shared_ptr<const RegressedLikelihood> likelihood)
 
 Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 
+std::vector<TruncatedNormal> Posterior::free_priors() const {
+  std::vector<TruncatedNormal> priors;
+  for (const std::size_t i : parts_->space.free()) priors.push_back(table().continuous[i].prior);
+  return priors;
+}
+
 std::vector<int> Posterior::discrete_levels() const { return parts_->space.discrete_levels(); }
 
 std::vector<bool> Posterior::jagged() const {

@@ -77,10 +77,7 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   });
   const LogDensity& target = *targets.back();
   ModeFound found{{best.position, best.evaluation},
-                  std::make_shared<const Metric>(laplace_covariance(target, best.position)),
-                  {},
-                  {},
-                  {}};
+                  std::make_shared<const Metric>(laplace_covariance(target, best.position))};
   for (const OptimizerResult& basin : result.basins)
     found.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
   return found;

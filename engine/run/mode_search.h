@@ -21,11 +21,11 @@ std::vector<int> pyramid(int resolution);
 /// What the search hands to the chains.
 struct ModeFound {
   ChainState mode;
-  std::shared_ptr<const Metric> laplace;   ///< covariance of the normal approximation at the mode
-  std::vector<MapPoint> basins;            ///< that the search ended in, best first; empty when recalled
-  std::optional<CalibratedErrors> errors;  ///< of calibrated errors: mode and covariance are under them
-  bool has_tried_to_emulate = false;       ///< where there are to be emulated proposals
-  std::optional<Emulator> emulator;        ///< of these
+  std::shared_ptr<const Metric> laplace;        ///< covariance of the normal approximation at the mode
+  std::vector<MapPoint> basins = {};            ///< that the search ended in, best first; empty when recalled
+  std::optional<CalibratedErrors> errors = {};  ///< of calibrated errors: mode and covariance are under them
+  bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
+  std::optional<Emulator> emulator = {};        ///< of these
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so

@@ -303,7 +303,9 @@ ModeFound SamplerRun::calibrate() {
   CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), photo_, settings_, shared_);
   use(calibrated.errors);
   show(calibrated.mode.position);
-  return {std::move(calibrated.mode), std::move(calibrated.laplace), {}, std::move(calibrated.errors), {}};
+  return {.mode = std::move(calibrated.mode),
+          .laplace = std::move(calibrated.laplace),
+          .errors = std::move(calibrated.errors)};
 }
 
 void SamplerRun::show(const Position& position) {

@@ -48,8 +48,27 @@ TEST(Emulator, OfASummaryThatIsAPolynomialIsThePosteriorUpToTheRidge) {
   }
 }
 
-TEST(Emulator, GradientEqualsCentralDifferences) {
-  const Emulator emulator(examples_of(/*cubic=*/true));
+/// Of coordinates, and of parameters' logarithms, one with a bound below zero.
+const LogParameters kAxes[] = {{}, LogParameters({{0.4, 0.3, 0, 1}, {5, 2, 0, 10}, {0, 0.5, -1, 1}})};
+
+TEST(LogParameters, DerivativesEqualCentralDifferencesAndRestAtBounds) {
+  Rng rng(9);
+  for (int i = 0; i < 10; ++i) {
+    constexpr double kStep = 1e-6;
+    const Eigen::VectorXd u = 2 * rng.normals(kDimension),
+                          step = Eigen::VectorXd::Constant(kDimension, kStep);
+    const Eigen::VectorXd differences = (kAxes[1].values(u + step) - kAxes[1].values(u - step)) / (2 * kStep);
+    EXPECT_LT((kAxes[1].derivatives(u) - differences).norm(), 1e-5 * (1 + differences.norm()));
+  }
+  const Eigen::VectorXd far = Eigen::VectorXd::Constant(kDimension, 5);
+  EXPECT_LT((kAxes[1].values(far) - kAxes[1].values(1.2 * far)).norm(), 1e-3);
+}
+
+class EmulatorOn : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Axes, EmulatorOn, testing::Values(0, 1));
+
+TEST_P(EmulatorOn, GradientEqualsCentralDifferences) {
+  const Emulator emulator(examples_of(/*cubic=*/true), kAxes[GetParam()]);
   Rng rng(5);
   for (int i = 0; i < 10; ++i) {
     const Eigen::VectorXd u = 1.5 * rng.normals(kDimension), gradient = emulator.evaluate({u, {}}).gradient;
@@ -64,6 +83,15 @@ TEST(Emulator, GradientEqualsCentralDifferences) {
   }
 }
 
+TEST(Emulator, SoftenedKeepsThePriorAndTakesTheLikelihoodsPower) {
+  const Emulator emulator(examples_of(/*cubic=*/true), kAxes[1]);
+  const Emulator soft = emulator.softened(0.8);
+  const Eigen::VectorXd u = Eigen::VectorXd::Constant(kDimension, 0.7);
+  const double prior = -u.squaredNorm() / 2;
+  EXPECT_NEAR(soft.evaluate({u, {}}).log_density - prior,
+              0.8 * (emulator.evaluate({u, {}}).log_density - prior), 1e-12);
+}
+
 TEST(Emulator, NeverPromisesMoreThanAPerfectMatchHoweverFarAway) {
   const Emulator emulator(examples_of(/*cubic=*/true));
   Rng rng(6);
@@ -74,7 +102,7 @@ TEST(Emulator, NeverPromisesMoreThanAPerfectMatchHoweverFarAway) {
 }
 
 TEST(Emulator, IsTheSameFromItsArchiveAndOneOfAnotherSizeIsSeen) {
-  Emulator emulator(examples_of(/*cubic=*/true)), read;
+  Emulator emulator(examples_of(/*cubic=*/true), kAxes[1]), read;
   Archive written;
   written(emulator);
   Archive archive(written.take_bytes());
