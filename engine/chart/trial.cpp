@@ -53,6 +53,7 @@ class Running {
     if (setting_.errors == "calibrated") return learn_and_draw();
     for (const auto& target : targets_) metered_.push_back(std::make_unique<MeteredDensity>(*target, meter_));
     const MapSearchResult found = search();
+    for (const OptimizerResult& basin : found.basins) basins_.push_back({basin.position, basin.evaluation});
     const LogDensity& target = *metered_.back();
     const Metric laplace(laplace_covariance(target, found.best.position));
     trial_.search_seconds = elapsed();
@@ -126,22 +127,20 @@ class Running {
       return overdispersed_start(target, mode, laplace, rng).position;
     };
     const Metric first(restricted(laplace.covariance(), settings.metric));
-    if (setting_.kernel == kEmulated)
-      draw_by_emulator(target, settings, mode, laplace, first);
-    else if (setting_.proposals == 0)
-      sample(target, *problem_.kernel(setting_, target), settings, start, first);
-    else
-      sample(target, *two_stage(), settings, start, first);
+    sample(target, *kernel(target, mode, laplace), settings, start, first);
   }
 
-  void draw_by_emulator(const LogDensity& target, const SampleSettings& settings, const ChainState& mode,
-                        const Metric& laplace, const Metric& first) {
+  /// Where the setting's is emulated and cannot be, hmc, as a run has it.
+  std::unique_ptr<Kernel> kernel(const LogDensity& target, const ChainState& mode, const Metric& laplace) {
+    if (setting_.proposals != 0) return two_stage();
+    if (setting_.kernel != kEmulated) return problem_.kernel(setting_, target);
     const Emulation made =
         problem_.emulate(setting_, mode.position, laplace, plan_.seed, [&] { meter_.count(false); });
-    if (!made.emulator) return;  // no draws, as of a setting that is too slow
-    const auto start = [&](Rng& rng) { return emulated_start(*made.emulator, mode.position, laplace, rng); };
-    sample(target, *make_emulated_kernel(*made.emulator, target, setting_.path_length), settings, start,
-           first);
+    if (made.emulator && !misses_one(*made.emulator, mode, basins_))
+      return make_emulated_kernel(*made.emulator, target, setting_.path_length);
+    ChartSetting hmc = setting_;
+    hmc.kernel = "hmc";
+    return problem_.kernel(hmc, target);
   }
 
   /// The setting's kernel on the posterior that proposes; the caller's target decides.
@@ -164,6 +163,7 @@ class Running {
   std::vector<std::unique_ptr<LogDensity>> targets_ = problem_.targets(setting_);
   std::unique_ptr<LogDensity> proposer_;  ///< where there are two stages
   std::vector<std::unique_ptr<MeteredDensity>> metered_;
+  std::vector<ChainState> basins_;  ///< that the search ended in
 };
 
 template <typename Vector>

@@ -135,17 +135,6 @@ std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const Log
   return std::make_unique<EmulatedKernel>(emulator, target, path_length);
 }
 
-Position emulated_start(const Emulator& emulator, const Position& mode, const Metric& laplace, Rng& rng) {
-  constexpr int kTransitions = 100;
-  constexpr double kFurther = 1.2;
-  const auto kernel = kernel_of("hmc", emulator, kPathLength);
-  const KernelSettings settings{0.3, std::make_shared<const Metric>(laplace)};
-  ChainState state{mode, emulator.evaluate(mode)};
-  for (int i = 0; i < kTransitions; ++i) kernel->step(emulator, settings, state, rng);
-  state.position.continuous = mode.continuous + kFurther * (state.position.continuous - mode.continuous);
-  return state.position;
-}
-
 bool can_emulate(const Posterior& posterior) {
   return posterior.discrete_levels().empty() && !has_jagged(posterior);
 }

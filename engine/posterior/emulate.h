@@ -37,9 +37,6 @@ struct Emulation {
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
                                              double path_length);
 
-/// A draw of the emulator, a little further out from the mode: where a chain begins.
-Position emulated_start(const Emulator& emulator, const Position& mode, const Metric& laplace, Rng& rng);
-
 /// Whether a posterior can be emulated: polynomials follow no jagged coordinates and no discrete levels.
 bool can_emulate(const Posterior& posterior);
 

@@ -82,10 +82,6 @@ std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSett
   return [place = posterior.position(start_values(posterior.table(), settings))](Rng&) { return place; };
 }
 
-std::function<Position(Rng&)> start_of(const ModeFound& found) {
-  return [&](Rng& rng) { return emulated_start(*found.emulator, found.mode.position, *found.laplace, rng); };
-}
-
 }  // namespace
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
@@ -340,7 +336,7 @@ void SamplerRun::sample(const ModeFound& found) {
                        .laplace = found.laplace,
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = found.emulator ? start_of(found) : start_of(posterior, settings_, photo_)};
+                       .start = start_of(posterior, settings_, photo_)};
   // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
