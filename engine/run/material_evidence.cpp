@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "engine/material/registry.h"
 #include "engine/run/controlled_density.h"
@@ -20,18 +19,6 @@ namespace {
 
 /// The search begins at half as many pixels a side.
 int coarser(int resolution) { return std::max(resolution / 2, kLeastRankResolution); }
-
-std::map<std::string, TruncatedNormal> camera_priors(const std::string& material, const Capture& capture) {
-  const ParameterTable table = material_table(material);
-  std::map<std::string, TruncatedNormal> priors;
-  if (const auto light = table.find_continuous("light")) {
-    const double exposure = std::pow(capture.camera_cm / Capture{}.camera_cm, 2);
-    const double mean = exposure * table.continuous[*light].prior.mean;
-    priors["light"] = {mean, 0.6 * mean, 0.02 * mean, 3 * mean};
-  }
-  if (table.find_continuous("iSigma")) priors["iSigma"] = {15, 3, 5, 20};
-  return priors;
-}
 
 PosteriorSettings posterior_settings(const std::string& material, const RankSettings& settings,
                                      int resolution) {
@@ -60,6 +47,18 @@ double half_chi_square(const Evaluation& at, const Position& position) {
 }
 
 }  // namespace
+
+std::map<std::string, TruncatedNormal> camera_priors(const std::string& material, const Capture& capture) {
+  const ParameterTable table = material_table(material);
+  const double away = capture.camera_cm / Capture{}.camera_cm;
+  std::map<std::string, TruncatedNormal> priors;
+  if (const auto light = table.find_continuous("light")) {
+    const double mean = away * away * table.continuous[*light].prior.mean;
+    priors["light"] = {mean, 0.6 * mean, 0.02 * mean, 3 * mean};
+  }
+  if (table.find_continuous("iSigma")) priors["iSigma"] = {15 * away, 3 * away, 5 * away, 20 * away};
+  return priors;
+}
 
 MaterialEvidence::MaterialEvidence(const std::string& material, const RankSettings& settings,
                                    const Image& photo)

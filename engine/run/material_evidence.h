@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,13 @@
 
 namespace patina {
 
+/// Flash and vignetting are the camera's, not the material's: in a ranking all materials have the same priors
+/// for them, wide ones, where a fit has those of the material's file, which mean a camera at 25 cm. The
+/// flash's is scaled with the square of the camera's distance, the vignetting's with the distance, so that
+/// what the camera sees has the same prior whatever the size.
+std::map<std::string, TruncatedNormal> camera_priors(const std::string& material, const Capture& capture);
+
 /// One material's posterior for the photo that a ranking is about, and what is known of its evidence.
-///
-/// Flash and vignetting are the camera's, not the material's: here all materials have the same priors for
-/// them, wide ones, where a fit has those of the material's file, which mean a camera at 25 cm. The flash's
-/// is scaled with the square of the camera's distance, so that exposure has the same prior whatever the size.
 class MaterialEvidence {
  public:
   /// @param photo  outlives this   @throws UserError

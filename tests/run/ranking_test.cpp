@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/material/registry.h"
+#include "engine/run/material_evidence.h"
 #include "engine/run/rank_materials.h"
 #include "engine/run/ranking_words.h"
 #include "tests/run/run_fixture.h"
@@ -86,6 +87,26 @@ class RankMaterials : public RunTest {
     return renderer.render(values, 48);
   }
 };
+
+TEST(Ranking, expects_the_same_light_and_vignetting_in_a_picture_whatever_its_size) {
+  // A sample twice as large from twice as far is the same picture of a surface
+  // that is the same in units of its side: four times the light, and a falloff twice as wide.
+  Capture near, far;
+  near.size_cm = 10, far.size_cm = 20;
+  near.camera_cm = 12, far.camera_cm = 24;
+  for (const std::string& material : material_names()) {
+    const auto at_near = camera_priors(material, near), at_far = camera_priors(material, far);
+    ASSERT_EQ(at_near.size(), at_far.size()) << material;
+    for (const auto& [name, prior] : at_near) {
+      const double scale = name == "light" ? 4 : 2;
+      const TruncatedNormal& other = at_far.at(name);
+      EXPECT_DOUBLE_EQ(other.mean, scale * prior.mean) << material << ' ' << name;
+      EXPECT_DOUBLE_EQ(other.sd, scale * prior.sd) << material << ' ' << name;
+      EXPECT_DOUBLE_EQ(other.low, scale * prior.low) << material << ' ' << name;
+      EXPECT_DOUBLE_EQ(other.high, scale * prior.high) << material << ' ' << name;
+    }
+  }
+}
 
 TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
   double furthest = 0;
