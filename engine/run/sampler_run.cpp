@@ -2,9 +2,7 @@
 
 #include <chrono>
 #include <cmath>
-#include <deque>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "engine/error.h"
@@ -12,7 +10,6 @@
 #include "engine/io/image_file.h"
 #include "engine/io/params_json.h"
 #include "engine/material/registry.h"
-#include "engine/run/chain.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
@@ -23,6 +20,7 @@
 #include "engine/run/posterior_settings.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/run_alarms.h"
+#include "engine/run/run_chains.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_photo.h"
@@ -337,52 +335,13 @@ void SamplerRun::sample(const ModeFound& found) {
                        .directory = directory_,
                        .run_key = run_key_,
                        .start = start_of(posterior, settings_, photo_)};
-  // Laplace's metric weighs as much as ten transitions a dimension, with which a covariance begins to be
-  // known.
-  const double laplace_worth = 10.0 * static_cast<double>(target.dimension());
-  WarmupMeeting meeting(
-      settings_.chains, metric_kind(settings_.metric), laplace_worth, target.jagged(),
-      [&](const WarmupRecord& record) {
-        shared_.write_or_pause([&] { write_warmup(directory_, run_key_, record); });
-      },
-      record_);
-  std::deque<Chain> chains;  // their addresses stay
-  for (int k = 0; k < settings_.chains; ++k) add_chain(plan, meeting, chains);
-  {
-    std::vector<std::jthread> threads;
-    try {
-      for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
-    } catch (const std::system_error&) {  // those that run wait for all: they are told to end
-      shared_.fail("The system has no threads left for the chains: ask for fewer, or close other programs.");
-    }
-  }
-  take_stock(chains);
+  ChainsDone done = run_chains(plan, record_, shared_);
+  draws_made_ = done.draws;
+  manifest_.seconds.warmup = std::move(done.warmup);
+  manifest_.seconds.sampling = std::move(done.sampling);
   // A stop that came after the last draw changes nothing.
   const bool complete = draws_made_ == std::int64_t{settings_.chains} * settings_.draws;
   if (!complete || !shared_.failure().empty()) throw RunStopped();
-}
-
-void SamplerRun::add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains) {
-  const int k = static_cast<int>(chains.size());
-  const auto add = [&] { chains.emplace_back(plan, meeting, shared_, k); };
-  std::error_code ignored;
-  // A new file that does not fit on the disk can wait for room; a state that is damaged cannot be mended so.
-  if (std::filesystem::exists(chain_state_file(directory_, k), ignored)) return add();
-  if (std::filesystem::exists(chain_file(directory_, k), ignored))
-    enter(RunPhase::warming_up,
-          "chain " + std::to_string(k + 1) + " has no saved state: it is drawn anew, to the same draws");
-  shared_.write_or_pause(add);
-}
-
-void SamplerRun::take_stock(const std::deque<Chain>& chains) {
-  RunTimes& seconds = manifest_.seconds;
-  seconds.warmup.clear();
-  seconds.sampling.clear();
-  for (const Chain& chain : chains) {
-    draws_made_ += chain.draws_after_warmup();
-    seconds.warmup.push_back(chain.warmup_seconds());
-    seconds.sampling.push_back(chain.sampling_seconds());
-  }
 }
 
 void SamplerRun::conclude(RunPhase phase, const std::string& reason) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,21 +9,20 @@
 
 #include "engine/io/photo.h"
 #include "engine/posterior/posterior.h"
-#include "engine/run/chain.h"
 #include "engine/run/draw_source.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/manifest.h"
 #include "engine/run/mode_search.h"
 #include "engine/run/run_lock.h"
 #include "engine/run/run_shared.h"
+#include "engine/run/warmup_meeting.h"
 
 namespace patina {
 
 enum class Opening { fresh, resumed };
 
 /// A run whose sampler is in this process: a coordinator thread that searches the mode, then one thread a
-/// chain. See start_run() and
-/// resume_run().
+/// chain. See start_run() and resume_run().
 class SamplerRun final : public DrawSource {
  public:
   SamplerRun(const RunSettings& settings, const Photo& photo, const std::filesystem::path& directory,
@@ -65,8 +63,6 @@ class SamplerRun final : public DrawSource {
   void use(const CalibratedErrors& errors);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   void sample(const ModeFound& found);
-  void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, std::deque<Chain>& chains);
-  void take_stock(const std::deque<Chain>& chains);
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;
 
