@@ -57,8 +57,8 @@ void FitOptions::add_model(CLI::App& command) {
   add(command, "--material", &RunSettings::material,
       "The material's name, or auto: the one that patina-cli compare prefers", "NAME|auto");
   add(command, "--summary", &RunSettings::summary,
-      "What renders and photo are compared by: gram, rings, bands, means, or several joined by + "
-      "(default: the material's)",
+      "What renders and photo are compared by: gram, covariances, rings, bands, means, or several joined "
+      "by + (default: the material's)",
       "NAME");
   add(command, "--network", &RunSettings::network, "Weights of the summary's network (default: bundled)",
       "FILE");

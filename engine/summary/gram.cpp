@@ -5,6 +5,7 @@
 #include <ATen/ops/empty.h>
 #include <ATen/ops/empty_like.h>
 #include <ATen/ops/mm.h>
+#include <ATen/ops/outer.h>
 #include <ATen/ops/triu_indices.h>
 #include <ATen/ops/where.h>
 #include <ATen/ops/zeros.h>
@@ -79,21 +80,42 @@ struct GramVector : torch::autograd::Function<GramVector> {
   }
 };
 
+/// What the features' means alone make of a Gram matrix, as gram_vector() has it.
+at::Tensor gram_of_means(const at::Tensor& features) {
+  const at::Tensor means = features.mean({1, 2});
+  const Triangle triangle = upper_triangle(features.size(0), features.scalar_type());
+  return at::outer(means, means).reshape({-1}).index_select(0, triangle.places) * triangle.weights;
+}
+
 }  // namespace
 
 at::Tensor gram_vector(const at::Tensor& features) { return GramVector::apply(features); }
 
+at::Tensor covariance_vector(const at::Tensor& features) {
+  return gram_vector(features) - gram_of_means(features);
+}
+
 at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
-  std::vector<at::Tensor> parts;
-  for (const at::Tensor& features : network_.features(image)) parts.push_back(gram_vector(features));
-  return at::cat(parts);
+  std::vector<at::Tensor> grams, covariances;
+  for (const at::Tensor& features : network_.features(image)) {
+    const at::Tensor gram = gram_vector(features);
+    if (about_ != About::mean) grams.push_back(gram);
+    if (about_ != About::zero) covariances.push_back(gram - gram_of_means(features));
+  }
+  grams.insert(grams.end(), covariances.begin(), covariances.end());
+  return at::cat(grams);
 }
 
 std::vector<SummaryBlock> GramMatrices::blocks() const {
   std::vector<SummaryBlock> blocks;
-  for (const std::int64_t channels : network_.feature_channels())
-    blocks.push_back(
-        {"gram " + std::to_string(blocks.size() + 1), channels * (channels + 1) / 2, ErrorScale::relative});
+  const auto add = [&](const std::string& name) {
+    int level = 0;
+    for (const std::int64_t channels : network_.feature_channels())
+      blocks.push_back(
+          {name + " " + std::to_string(++level), channels * (channels + 1) / 2, ErrorScale::relative});
+  };
+  if (about_ != About::mean) add("gram");
+  if (about_ != About::zero) add("covariances");
   return blocks;
 }
 

@@ -13,11 +13,19 @@ namespace patina {
 /// @param features [c, h, w]   @return [c (c + 1) / 2]
 at::Tensor gram_vector(const at::Tensor& features);
 
-/// The Gram matrices of a network's feature maps (paper section 4, "Neural summary function"), one relative
-/// block for each tap of the network.
+/// The same of the features' covariances, G_ij less the product of the means of F_i and F_j: what a texture
+/// does about its mean, which tells materials apart far less than it weighs in a Gram matrix.
+at::Tensor covariance_vector(const at::Tensor& features);
+
+/// The Gram matrices of a network's feature maps (paper section 4, "Neural summary function"), their
+/// covariances, or both, of one pass through the network: one relative block for each of its taps, the Gram
+/// matrices' first.
 class GramMatrices final : public Summary {
  public:
-  explicit GramMatrices(Network network) : network_(std::move(network)) {}
+  enum class About { zero, mean, both };
+
+  explicit GramMatrices(Network network, About about = About::zero)
+      : network_(std::move(network)), about_(about) {}
 
   at::Tensor operator()(const at::Tensor& image) const override;
   std::vector<SummaryBlock> blocks() const override;
@@ -25,6 +33,7 @@ class GramMatrices final : public Summary {
 
  private:
   Network network_;
+  About about_;
 };
 
 }  // namespace patina

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <ranges>
 
 #include "engine/error.h"
 #include "engine/summary/bin_means.h"
@@ -44,7 +46,7 @@ class Composition final : public Summary {
   std::vector<Part> parts_;
 };
 
-/// What "gram" takes its network from.
+/// What "gram" and "covariances" take their network from.
 struct Source {
   std::filesystem::path file;
   Precision precision;
@@ -53,9 +55,14 @@ struct Source {
 
 using MakePart = Part (*)(const Source& source);
 
-Part gram_matrices(const Source& source) {
+Part of_network(const Source& source, GramMatrices::About about) {
   const std::filesystem::path file = source.file.empty() ? bundled_network() : source.file;
-  return std::make_shared<GramMatrices>(Network::load(file, source.precision, source.levels));
+  return std::make_shared<GramMatrices>(Network::load(file, source.precision, source.levels), about);
+}
+Part gram_matrices(const Source& source) { return of_network(source, GramMatrices::About::zero); }
+Part covariances(const Source& source) { return of_network(source, GramMatrices::About::mean); }
+Part gram_matrices_and_covariances(const Source& source) {
+  return of_network(source, GramMatrices::About::both);
 }
 Part ring_means(const Source&) { return std::make_shared<RingMeans>(4); }
 Part fine_ring_means(const Source&) { return std::make_shared<RingMeans>(16); }
@@ -70,6 +77,7 @@ struct Entry {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{{"gram", {gram_matrices, ring_means}},
+                                      {"covariances", {covariances, ring_means}},
                                       {"rings", {fine_ring_means, ring_spectrum}},
                                       {"bands", {strip_means, column_spectrum}},
                                       {"means", {ring_means}}};
@@ -89,7 +97,10 @@ const Entry& find(const std::string& name) {
 }  // namespace
 
 int levels_of(const Summary& summary) {
-  return static_cast<int>(std::ranges::count(summary.blocks(), ErrorScale::relative, &SummaryBlock::scale));
+  std::map<std::string, int> levels;  // "gram 1" to "gram 5", "covariances 1" to "covariances 5"
+  for (const SummaryBlock& block : summary.blocks())
+    if (block.scale == ErrorScale::relative) ++levels[block.name.substr(0, block.name.find(' '))];
+  return levels.empty() ? 0 : std::ranges::max(levels | std::views::values);
 }
 
 std::vector<std::string> summary_names() {
@@ -107,6 +118,12 @@ std::shared_ptr<const Summary> make_summary(const std::string& name, const std::
     if (levels > 0) source.levels = levels;
     for (const MakePart part : find(base).parts)
       if (std::ranges::find(chosen, part) == chosen.end()) chosen.push_back(part);
+  }
+  const auto gram = std::ranges::find(chosen, &gram_matrices),
+             covariance = std::ranges::find(chosen, &covariances);
+  if (gram != chosen.end() && covariance != chosen.end()) {
+    *std::min(gram, covariance) = gram_matrices_and_covariances;
+    chosen.erase(std::max(gram, covariance));
   }
   std::vector<Part> parts;
   for (const MakePart part : chosen) parts.push_back(part(source));

@@ -42,6 +42,7 @@ class Summary {
 
 /// "gram"   Gram matrices of a network's features, and the mean colours of 4 concentric rings; "gram3", only
 ///          those of its first three levels, whatever lies behind not being loaded or run
+/// "covariances"  the same less what the features' means alone make in a Gram matrix; "covariances3" too
 /// "rings"  mean colours of 16 concentric rings, and the spectrum in 8 rings (isotropic, fine: flakes)
 /// "bands"  mean colours of 64 upright strips, and the columns' spectrum in 16 bands (brushed metal)
 /// "means"  mean colours of 4 concentric rings
@@ -51,8 +52,8 @@ std::vector<std::string> summary_names();
 int levels_of(const Summary& summary);
 
 /// @param name     one of summary_names(), or several joined by '+' ("gram+rings"): all their blocks, in that
-///                 order, what two of them share only once
-/// @param network  a weights file; empty for the bundled one. Read only by "gram".
+///                 order, those of the network together, what two of them share only once
+/// @param network  a weights file; empty for the bundled one. Read only by "gram" and "covariances".
 /// @param precision  of the network's convolutions
 /// @throws UserError for an unknown name or a file that is not a network
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,

@@ -1,12 +1,15 @@
 #include "engine/summary/summary_name.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace patina {
 namespace {
 
-constexpr std::string_view kGram = "gram";
+constexpr std::array<std::string_view, 2> kOfNetwork{"gram", "covariances"};
+
+bool has_levels(const std::string& base) { return std::ranges::count(kOfNetwork, base) > 0; }
 
 }  // namespace
 
@@ -21,16 +24,16 @@ std::vector<std::string> parts_of(const std::string& summary) {
 }
 
 std::pair<std::string, int> without_levels(const std::string& part) {
-  const bool counted =
-      part.size() == kGram.size() + 1 && part.starts_with(kGram) && part.back() >= '1' && part.back() <= '9';
-  return counted ? std::pair{std::string(kGram), part.back() - '0'} : std::pair{part, 0};
+  if (part.empty() || part.back() < '1' || part.back() > '9') return {part, 0};
+  const std::string base = part.substr(0, part.size() - 1);
+  return has_levels(base) ? std::pair{base, part.back() - '0'} : std::pair{part, 0};
 }
 
 std::string with_levels(const std::string& summary, int levels) {
   std::string result;
   for (const std::string& part : parts_of(summary)) {
     const std::string base = without_levels(part).first;
-    result += (result.empty() ? "" : "+") + base + (base == kGram ? std::to_string(levels) : "");
+    result += (result.empty() ? "" : "+") + base + (has_levels(base) ? std::to_string(levels) : "");
   }
   return result;
 }

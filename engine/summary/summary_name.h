@@ -6,7 +6,8 @@
 
 namespace patina {
 
-// Names of summaries (summary.h): parts joined by '+', of which "gram" may end in a number of levels.
+// Names of summaries (summary.h): parts joined by '+', of which those of a network, "gram" and "covariances",
+// may end in a number of levels.
 
 /// "gram3", "rings" of "gram3+rings"; an empty one where a '+' stands without a name on each side.
 std::vector<std::string> parts_of(const std::string& summary);

@@ -52,7 +52,7 @@ TEST_F(BadInput, SettingsOfAFit) {
   refused(fit(good, {"--network", good}), "");
   refused(fit(good, {"--network", file("cut.pth", "PK\3\4").string()}), "zip archive");
   refused(fit(good, {"--network", file("shell.pth", "\x80\x02\x8a\x0a").string()}), "pickle");
-  refused(fit(good, {"--summary", "gram,rings"}), "gram, rings, bands, means");
+  refused(fit(good, {"--summary", "gram,rings"}), "gram, covariances, rings, bands, means");
   refused(fit(good, {"--size-cm", "nan"}), "cm");
   refused(fit(good, {"--seed", "-1"}), "--seed");
   EXPECT_FALSE(std::filesystem::exists(path("run")));

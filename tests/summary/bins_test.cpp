@@ -202,6 +202,7 @@ TEST(Composition, OfFewerLevelsBeginsWithTheSameAndKeepsAllThatHasNoNetwork) {
   const at::Tensor image = random_image(64);
   EXPECT_EQ(with_levels("gram+rings", 3), "gram3+rings");
   EXPECT_EQ(with_levels("rings+gram5", 2), "rings+gram2");
+  EXPECT_EQ(with_levels("covariances+gram", 2), "covariances2+gram2");
   EXPECT_EQ(with_levels("bands", 2), "bands");
   const auto all = make_summary("gram+rings", {}), some = make_summary("gram2+rings", {});
   EXPECT_EQ(levels_of(*all), 5);
@@ -210,6 +211,27 @@ TEST(Composition, OfFewerLevelsBeginsWithTheSameAndKeepsAllThatHasNoNetwork) {
   const std::int64_t grams = some->blocks()[0].size + some->blocks()[1].size, rest = part.numel() - grams;
   EXPECT_TRUE(part.slice(0, 0, grams).equal(whole.slice(0, 0, grams)));
   EXPECT_TRUE(part.slice(0, grams).equal(whole.slice(0, whole.numel() - rest)));
+}
+
+TEST(Composition, OfGramMatricesAndCovariancesRunsTheNetworkOnceToTheSameNumbersAndGradients) {
+  const at::Tensor image = random_image(64);
+  const auto with_gradient = [&](const std::string& name) {
+    const at::Tensor leaf = image.clone().requires_grad_(true);
+    const at::Tensor vector = (*make_summary(name, {}))(leaf);
+    vector.sum().backward();
+    return std::pair{vector.detach(), leaf.grad()};
+  };
+  const auto [gram, by_gram] = with_gradient("gram2");
+  const auto [covariances, by_covariances] = with_gradient("covariances2");
+  const auto [means, by_means] = with_gradient("means");
+  const auto [both, by_both] = with_gradient("gram2+means+covariances");
+  const std::int64_t grams = gram.numel() - means.numel();
+  ASSERT_EQ(both.numel(), 2 * grams + means.numel());
+  EXPECT_TRUE(both.slice(0, 0, grams).equal(gram.slice(0, 0, grams)));
+  EXPECT_TRUE(both.slice(0, grams, 2 * grams).equal(covariances.slice(0, 0, grams)));
+  EXPECT_TRUE(both.slice(0, 2 * grams).equal(means));
+  EXPECT_TRUE(by_both.allclose(by_gram + by_covariances - by_means, 1e-4, 1e-5));
+  EXPECT_EQ(levels_of(*make_summary("gram2+covariances2", {})), 2);
 }
 
 TEST(Composition, IsItsPartsInOrderAndWhatTheyShareOnce) {

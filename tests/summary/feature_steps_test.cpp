@@ -120,5 +120,13 @@ TEST(FeatureSteps, GramVectorHasTheGradientThatDifferentiatingTheProductGives) {
                    "channels last");
 }
 
+TEST(FeatureSteps, CovarianceVectorIsTheGramVectorOfCentredFeaturesAndSoIsItsGradient) {
+  const Step centred = [](const at::Tensor& features) {
+    return gram_vector(features - features.mean({1, 2}, true));
+  };
+  expect_same_step([](const at::Tensor& x) { return covariance_vector(x); }, centred,
+                   random_tensor({6, 7, 9}, 5), "centred");
+}
+
 }  // namespace
 }  // namespace patina
