@@ -48,7 +48,7 @@ std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSettin
   settings.precision = setting.precision;
   std::vector<std::unique_ptr<LogDensity>> targets;
   for (const int level : pyramid(settings.resolution))
-    targets.push_back(std::make_unique<Posterior>(posterior_settings(settings, level), photo_));
+    targets.push_back(std::make_unique<Posterior>(search_settings(settings, level), photo_));
   return targets;
 }
 

@@ -19,7 +19,8 @@ double sigma_of(const SummaryBlock& block, const at::Tensor& photo_block, double
   const auto entries = static_cast<double>(block.size);
   switch (block.scale) {
     case ErrorScale::relative:
-      return relative_sigma * std::max(at::linalg_vector_norm(photo_block).item<double>(), kSmallestNorm);
+      return relative_sigma * std::sqrt(block.views) *
+             std::max(at::linalg_vector_norm(photo_block).item<double>(), kSmallestNorm);
     case ErrorScale::logarithmic:
       return relative_sigma * std::sqrt(entries);
     case ErrorScale::regional:

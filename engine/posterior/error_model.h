@@ -11,7 +11,8 @@ namespace patina {
 /// 1 / sigma for every entry of a summary: the Gaussian error model with a diagonal covariance (paper
 /// equation 5, its Sigma_e set by hand as there).
 ///   relative blocks (Gram matrices): sigma = relative_sigma * |photo's block|, so that half the block's
-///     chi-square is (relative Frobenius distance / relative_sigma)^2 / 2, however many entries it has;
+///     chi-square is (relative Frobenius distance / relative_sigma)^2 / 2, however many entries it has; times
+///     the root of its views, so that what two blocks see alike counts once;
 ///   logarithmic blocks (spectra): sigma = relative_sigma * sqrt(entries). Power is a second moment, as a
 ///   Gram
 ///     matrix is, and a small error of its logarithm is its relative error: half the chi-square is (root mean

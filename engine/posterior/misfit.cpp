@@ -18,8 +18,8 @@ std::vector<BlockMisfit> block_misfits(const at::Tensor& residual, const std::ve
     const double norm = at::linalg_vector_norm(residual.narrow(0, begin, block.size)).item<double>();
     const bool is_colour = block.scale == ErrorScale::regional;
     const double in_errors = is_colour ? norm / std::sqrt(kUnitsOfMeans) : norm;
-    misfits.push_back(
-        {block.name, is_colour, in_errors * (is_colour ? absolute_sigma : relative_sigma), in_errors});
+    const double sigma = is_colour ? absolute_sigma : relative_sigma * std::sqrt(block.views);
+    misfits.push_back({block.name, is_colour, in_errors * sigma, in_errors});
     begin += block.size;
   }
   return misfits;

@@ -1,5 +1,7 @@
 #include "engine/run/posterior_settings.h"
 
+#include "engine/summary/summary_name.h"
+
 namespace patina {
 
 PosteriorSettings posterior_settings(const RunSettings& settings, int resolution) {
@@ -13,6 +15,12 @@ PosteriorSettings posterior_settings(const RunSettings& settings, int resolution
   posterior.z_seed = settings.z_seed;
   posterior.fixed = settings.fixed;
   posterior.priors = settings.priors;
+  return posterior;
+}
+
+PosteriorSettings search_settings(const RunSettings& settings, int level) {
+  PosteriorSettings posterior = posterior_settings(settings, level);
+  if (level < settings.resolution) posterior.summary = without_covariances(posterior.summary);
   return posterior;
 }
 

@@ -90,7 +90,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   if (opening == Opening::fresh) check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
   posteriors_.push_back(std::make_unique<Posterior>(
-      posterior_settings(settings_, pyramid(settings_.resolution).front()), photo_));
+      search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
   emulates_ = emulates(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
@@ -273,7 +273,7 @@ ModeFound SamplerRun::search() {
   const std::vector<int> levels = pyramid(settings_.resolution);
   for (std::size_t i = posteriors_.size(); i < levels.size(); ++i) {
     shared_.control.checkpoint();
-    posteriors_.push_back(std::make_unique<Posterior>(posterior_settings(settings_, levels[i]), photo_));
+    posteriors_.push_back(std::make_unique<Posterior>(search_settings(settings_, levels[i]), photo_));
   }
   ModeFound found =
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });

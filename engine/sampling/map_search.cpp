@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/sampling/evolution.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
@@ -18,10 +19,9 @@ namespace {
 
 constexpr double kSameBasin = 0.3;  // prior standard deviations
 
-// The walk along jagged coordinates, in prior standard deviations and nats.
-// On the finest target, where it is decided, it is three times as long.
-constexpr int kWalkRounds = 5, kFineWalkRounds = 15, kStepsPerRound = 6;
-constexpr double kWidestWalk = 0.5, kNarrowestWalk = 0.065, kNearlyAsGood = 5;
+// Evolution of targets with jagged coordinates: about the prior, about a guess, and about a finalist.
+constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.3;
+constexpr double kValueCost = 0.5;  // of an evaluation's with gradient
 
 constexpr int kGuessesClimbed = 3;
 
@@ -61,8 +61,9 @@ class Search {
     total_ = candidate_count() + climb_count() * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
-      total_ +=
-          settings.finalists * short_climb() * (kWalkRounds + kFineWalkRounds * cost(targets.size() - 1));
+      total_ += kValueCost * EvolutionSettings{}.population *
+                (settings.evolutions * settings.generations +
+                 finalist_count() * settings.generations * cost(grain_target()));
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
@@ -71,15 +72,15 @@ class Search {
     // Guesses are looked at first, so that who watches sees them early. What they lead to has a place among
     // the finalists: at few pixels another basin may look as good.
     std::vector<OptimizerResult> guesses = best_of(settings_.guesses, kGuessesClimbed);
-    std::vector<OptimizerResult> results =
-        coarse_stage(best_of(prior_candidates(), std::max(settings_.descents, 1)), finalist_count());
+    std::vector<OptimizerResult> candidates = best_of(prior_candidates(), std::max(settings_.descents, 1));
+    if (has_jagged()) evolve_all(guesses, candidates);
+    std::vector<OptimizerResult> results = coarse_stage(std::move(candidates), finalist_count());
     for (OptimizerResult& found : coarse_stage(std::move(guesses), 1)) results.push_back(std::move(found));
     const int places = finalist_count() + (settings_.guesses.empty() ? 0 : 1);
     sort_best_first(results);
     results = distinct(results, places);
+    if (has_jagged()) refine_all(results);
     for (std::size_t i = 1; i < targets_.size(); ++i) climb_all(results, i, settings_.fine_iterations);
-    // A grain that the coarsest target blurs tells only here how large it is.
-    if (has_jagged() && targets_.size() > 1) walk_all(results, targets_.size() - 1);
     if (stopped()) return best_so_far();
     report(results.front(), total_ - done_);
     return {results.front(), distinct(results, places)};  // climbs may have met
@@ -115,14 +116,13 @@ class Search {
     return 1.0 + settings_.prior_draws + static_cast<double>(settings_.guesses.size());
   }
 
-  /// Climbs, sweeps and walks on the coarsest target. @return the best `count` basins that were found
+  /// Climbs and sweeps on the coarsest target. @return the best `count` basins that were found
   std::vector<OptimizerResult> coarse_stage(std::vector<OptimizerResult> results, int count) {
     if (results.empty()) return results;
     climb_all(results, 0, settings_.coarse_iterations);
     // A sweep may lead several finalists to one basin; what was climbed before then fills their places.
     std::vector<OptimizerResult> finalists = distinct(results, count);
     for_all(finalists.size(), [&](std::size_t i) { sweep_levels(finalists[i]); });
-    if (has_jagged()) walk_all(finalists, 0);
     results.insert(results.end(), finalists.begin(), finalists.end());
     sort_best_first(results);
     return distinct(results, count);
@@ -192,52 +192,48 @@ class Search {
 
   bool has_jagged() const { return std::ranges::count(jagged_, true) > 0; }
 
-  void walk_all(std::vector<OptimizerResult>& results, std::size_t target) {
-    std::vector<Eigen::MatrixXd>
-        steps;  // drawn before the threads start, in an order that is always the same
-    for (std::size_t i = 0; i < results.size(); ++i)
-      steps.push_back(jagged_steps(target == 0 ? kWalkRounds : kFineWalkRounds));
-    for_all(results.size(), [&](std::size_t i) { walk(target, results[i], steps[i]); });
+  /// The first target on which a grain that the coarsest one blurs tells how large it is; finer ones would
+  /// say the same at several times the cost.
+  std::size_t grain_target() const { return std::min<std::size_t>(targets_.size() - 1, 1); }
+
+  /// One generation after the other, each on all threads.
+  OptimizerResult evolve(std::size_t target, const Position& start, double spread) {
+    EvolutionSettings evolution;
+    evolution.spread = spread;
+    evolution.generations = settings_.generations;
+    evolution.threads = settings_.threads;
+    evolution.enter_thread = settings_.enter_thread;
+    evolution.stop_requested = settings_.stop_requested;
+    evolution.evolved = [&](const OptimizerResult& best) {
+      report(best, kValueCost * evolution.population * cost(target));
+    };
+    OptimizerResult result = patina::evolve(*targets_[target], start, rng_, evolution);
+    if (!std::isfinite(result.evaluation.log_density)) result.evaluation = nothing(start.continuous.size());
+    return result;
+  }
+
+  /// Evolves the best guess, and from the whole prior at random levels; what comes of it takes the place of
+  /// what would have been climbed.
+  void evolve_all(std::vector<OptimizerResult>& guesses, std::vector<OptimizerResult>& candidates) {
+    if (!guesses.empty()) guesses.assign(1, evolve(0, guesses.front().position, kGuessSpread));
+    const int count = std::max(settings_.evolutions - static_cast<int>(guesses.size()), 1);
+    const Eigen::VectorXd middle = Eigen::VectorXd::Zero(targets_.front()->dimension());
+    std::vector<OptimizerResult> evolved;
+    for (int i = 0; i < count && !stopped(); ++i)
+      evolved.push_back(evolve(0, {middle, draw_levels(levels_, rng_)}, kPriorSpread));
+    if (!stopped()) candidates = std::move(evolved);
+  }
+
+  /// Evolves each once more where the grain tells; coarser targets cannot.
+  void refine_all(std::vector<OptimizerResult>& results) {
+    best_known_ = best_known_ && grain_target() == best_target_;
+    best_target_ = grain_target();
+    for (OptimizerResult& result : results) {
+      if (stopped()) return;
+      result = evolve(grain_target(), result.position, kFinalistSpread);
+    }
     sort_best_first(results);
-  }
-
-  /// A step a column, narrower from round to round. Every other one moves all jagged coordinates, those
-  /// between them one each in turn: a size may be wrong where the place is right.
-  Eigen::MatrixXd jagged_steps(int rounds) {
-    const Eigen::Index n = targets_.front()->dimension();
-    std::vector<Eigen::Index> jagged;
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (jagged_[static_cast<std::size_t>(k)]) jagged.push_back(k);
-    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(n, rounds * kStepsPerRound);
-    for (int i = 0; i < steps.cols(); ++i) {
-      const double share = static_cast<double>(i / kStepsPerRound) / (rounds - 1);
-      const double spread = kWidestWalk * std::pow(kNarrowestWalk / kWidestWalk, share);
-      if (i % 2 == 0)
-        steps(jagged[static_cast<std::size_t>(i / 2) % jagged.size()], i) = spread * rng_.normal();
-      else
-        for (const Eigen::Index k : jagged) steps(k, i) = spread * rng_.normal();
-    }
-    return steps;
-  }
-
-  void walk(std::size_t level, OptimizerResult& result, const Eigen::MatrixXd& steps) {
-    const LogDensity& target = *targets_[level];
-    for (int round = 0; (round + 1) * kStepsPerRound <= steps.cols() && !stopped(); ++round) {
-      std::vector<OptimizerResult> places;
-      for (int i = 0; i < kStepsPerRound && !stopped(); ++i) {
-        Position position = result.position;
-        position.continuous += steps.col(round * kStepsPerRound + i);
-        places.push_back(evaluate(target, std::move(position)));
-      }
-      if (places.empty() || stopped()) return;
-      sort_best_first(places);
-      // The other coordinates fit the place they were climbed at: what is nearly as good may end above.
-      if (places.front().evaluation.log_density > result.evaluation.log_density - kNearlyAsGood) {
-        OptimizerResult rival = climb(target, places.front().position, short_climb());
-        if (rival.evaluation.log_density > result.evaluation.log_density) result = std::move(rival);
-      }
-      report(result, short_climb() * cost(level));
-    }
+    if (targets_.size() == 1) climb_all(results, 0, settings_.fine_iterations);
   }
 
   void report(const OptimizerResult& result, double work) {

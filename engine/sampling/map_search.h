@@ -15,6 +15,8 @@ struct MapSearchSettings {
   std::vector<Position> guesses = {};  ///< the best three are climbed from as well, and have a finalist of theirs
   int descents = 8;                    ///< best candidates that are climbed from on the coarsest target
   int finalists = 2;                   ///< best of those that are climbed from on every finer target
+  int evolutions = 4;                  ///< of targets with jagged coordinates, on the coarsest, one from a guess
+  int generations = 80;                ///< of each, and of each finalist on a finer target
   int coarse_iterations = 40;
   int fine_iterations = 40;
   int threads =
@@ -31,9 +33,9 @@ struct MapSearchResult {
 };
 
 /// A global search for the posterior's mode, cheap first: targets are the same posterior from coarse to fine.
-/// Discrete coordinates are swept (every level of each, others held) around each finalist; jagged ones, which
-/// no climb moves, are walked at random in narrowing steps, on the coarsest target and again on the finest,
-/// with a short climb of the others from each better place.
+/// Discrete coordinates are swept (every level of each, others held) around each finalist. Where there are
+/// jagged coordinates, which no climb moves, populations are evolved by values alone (evolution.h), on the
+/// coarsest target and about each finalist on the next, and the climbs begin at what they find.
 MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& rng,
                            const MapSearchSettings& settings = {});
 

@@ -108,11 +108,12 @@ at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
 
 std::vector<SummaryBlock> GramMatrices::blocks() const {
   std::vector<SummaryBlock> blocks;
+  const int views = about_ == About::both ? 2 : 1;
   const auto add = [&](const std::string& name) {
     int level = 0;
     for (const std::int64_t channels : network_.feature_channels())
       blocks.push_back(
-          {name + " " + std::to_string(++level), channels * (channels + 1) / 2, ErrorScale::relative});
+          {name + " " + std::to_string(++level), channels * (channels + 1) / 2, ErrorScale::relative, views});
   };
   if (about_ != About::mean) add("gram");
   if (about_ != About::zero) add("covariances");

@@ -23,6 +23,9 @@ struct SummaryBlock {
   std::string name;  ///< "gram 2", "4 ring means"
   std::int64_t size;
   ErrorScale scale;
+  /// How many blocks of the summary see the same error from different sides, as a Gram matrix and the
+  /// covariances of the same features do.
+  int views = 1;
 };
 
 /// A summary function (paper section 4): maps an image to a vector that forgets where things lie and keeps

@@ -29,6 +29,18 @@ std::pair<std::string, int> without_levels(const std::string& part) {
   return has_levels(base) ? std::pair{base, part.back() - '0'} : std::pair{part, 0};
 }
 
+std::string without_covariances(const std::string& summary) {
+  const std::vector<std::string> parts = parts_of(summary);
+  const auto is = [](const char* name) {
+    return [name](const std::string& part) { return without_levels(part).first == name; };
+  };
+  if (std::ranges::none_of(parts, is("gram"))) return summary;
+  std::string result;
+  for (const std::string& part : parts)
+    if (!is("covariances")(part)) result += (result.empty() ? "" : "+") + part;
+  return result;
+}
+
 std::string with_levels(const std::string& summary, int levels) {
   std::string result;
   for (const std::string& part : parts_of(summary)) {

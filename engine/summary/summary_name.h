@@ -19,4 +19,8 @@ std::pair<std::string, int> without_levels(const std::string& part);
 /// no network stays as it is. @param levels  from 1 to 9
 std::string with_levels(const std::string& summary, int levels);
 
+/// The same without covariances, where Gram matrices stay. Far from a match covariances mislead: a render
+/// without any texture is nearer to a photo by them than one with another texture.
+std::string without_covariances(const std::string& summary);
+
 }  // namespace patina

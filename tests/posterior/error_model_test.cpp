@@ -24,6 +24,17 @@ TEST(ErrorModel, JudgesAGramMatrixByItsRelativeDistanceHoweverManyEntriesItHas) 
     EXPECT_NEAR(chi_square(ErrorScale::relative, entries, 7, 0.7), std::pow(0.1 / kRelative, 2), 1e-9);
 }
 
+TEST(ErrorModel, CountsOnceWhatTwoBlocksSeeAlike) {
+  const at::Tensor summary = at::ones({8}, at::kDouble), off = at::full({8}, 0.3, at::kDouble);
+  const auto chi_square_of = [&](const std::vector<SummaryBlock>& blocks, std::int64_t entries) {
+    const at::Tensor inverse = inverse_sigmas(summary.narrow(0, 0, entries), blocks, kRelative, kAbsolute);
+    return (inverse * off.narrow(0, 0, entries)).square().sum().item<double>();
+  };
+  const double twice =
+      chi_square_of({{"a", 4, ErrorScale::relative, 2}, {"b", 4, ErrorScale::relative, 2}}, 8);
+  EXPECT_NEAR(twice, chi_square_of({{"a", 4, ErrorScale::relative}}, 4), 1e-9);
+}
+
 TEST(ErrorModel, JudgesASpectrumByItsRelativeErrorAsIfItWereOneGramMatrix) {
   for (const std::int64_t entries : {8, 16})
     EXPECT_NEAR(chi_square(ErrorScale::logarithmic, entries, -5, 0.1), std::pow(0.1 / kRelative, 2), 1e-9);

@@ -48,7 +48,7 @@ JaggedTarget jagged_target() {
   return {Eigen::Vector3d(1.2, 0.5, -0.5), covariance};
 }
 
-TEST(SearchMap, walks_along_jagged_coordinates_where_no_gradient_leads) {
+TEST(SearchMap, evolves_along_jagged_coordinates_where_no_gradient_leads) {
   const JaggedTarget target = jagged_target();
   for (const int seed : {1, 2, 3, 4, 5}) {
     Rng rng(seed);
@@ -56,6 +56,25 @@ TEST(SearchMap, walks_along_jagged_coordinates_where_no_gradient_leads) {
     // The peak is half a nat high, on a wrinkle: 1 nat below are places some posterior sd / 2 away.
     EXPECT_GT(best.evaluation.log_density, -0.5) << "seed " << seed;
   }
+}
+
+TEST(SearchMap, evolves_finalists_where_a_finer_target_says_what_a_coarse_one_cannot) {
+  const JaggedTarget fine = jagged_target();
+  const FunctionDensity coarse{
+      3, [](const Position& position) {
+        return Evaluation{-0.5 * position.continuous.squaredNorm(), -position.continuous};
+      }};
+  /// Knows nothing, and is jagged where the fine one is.
+  struct Blind final : LogDensity {
+    const FunctionDensity& density;
+    explicit Blind(const FunctionDensity& d) : density(d) {}
+    Eigen::Index dimension() const override { return 3; }
+    std::vector<bool> jagged() const override { return {true, false, false}; }
+    Evaluation evaluate(const Position& position) const override { return density.evaluate(position); }
+  };
+  const Blind blind(coarse);
+  Rng rng(1);
+  EXPECT_GT(search_map({&blind, &fine}, rng).best.evaluation.log_density, -0.5);
 }
 
 TEST(SearchMap, sweeps_levels_that_no_candidate_had) {

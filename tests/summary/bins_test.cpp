@@ -213,6 +213,12 @@ TEST(Composition, OfFewerLevelsBeginsWithTheSameAndKeepsAllThatHasNoNetwork) {
   EXPECT_TRUE(part.slice(0, grams).equal(whole.slice(0, whole.numel() - rest)));
 }
 
+TEST(SummaryName, LosesItsCovariancesWhereGramMatricesStay) {
+  EXPECT_EQ(without_covariances("covariances+bands+gram2"), "bands+gram2");
+  EXPECT_EQ(without_covariances("gram3+covariances3"), "gram3");
+  EXPECT_EQ(without_covariances("covariances+rings"), "covariances+rings") << "something has to stay";
+}
+
 TEST(Composition, OfGramMatricesAndCovariancesRunsTheNetworkOnceToTheSameNumbersAndGradients) {
   const at::Tensor image = random_image(64);
   const auto with_gradient = [&](const std::string& name) {
