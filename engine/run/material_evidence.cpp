@@ -38,7 +38,7 @@ PosteriorSettings posterior_settings(const std::string& material, const RankSett
 double expected_misfit(const RankSettings& settings) {
   double expected = 0;
   for (const SummaryBlock& block : make_summary(settings.summary, settings.network)->blocks())
-    expected += block.scale == ErrorScale::regional ? 6 : 0.5;
+    expected += block.scale == ErrorScale::regional ? 6 : 0.5 / block.views;
   return expected;
 }
 
