@@ -1,6 +1,6 @@
 #include "gui/ranking_view.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "engine/run/ranking_words.h"
 #include "gui/words.h"
@@ -12,10 +12,17 @@ constexpr double kGoodMatch = 1.2;  // misfit; 1 is usual for a material that fi
 
 }  // namespace
 
-std::string likelihood_text(const RankedMaterial& material) {
+Standing standing(const RankedMaterial& material, const RankedMaterial& first) {
+  if (material.distance && first.distance) {
+    const double further = 100 * (*material.distance / *first.distance - 1);
+    return {std::min(1.0, *first.distance / *material.distance),
+            further <= 0 ? "nearest" : number_text(further, 2) + " % further off"};
+  }
   const double percent = 100 * material.probability;
-  std::string text = percent > 99 ? "over 99 %" : percent < 1 ? "under 1 %" : number_text(percent, 2) + " %";
-  return material.error ? text : text + " at first sight";
+  const std::string text = percent > 99  ? "over 99 %"
+                           : percent < 1 ? "under 1 %"
+                                         : number_text(percent, 2) + " %";
+  return {material.probability, material.error ? text : text + " at first sight"};
 }
 
 std::string fit_text(const RankedMaterial& material) {
@@ -32,9 +39,7 @@ std::string uncertainty_text(const MaterialRanking& ranking) {
   if (all.size() < 2) return hint + "there was nothing to compare it with.";
   if (within_error(all[0], all[1]))
     return hint + "try " + all[0].material + " and " + all[1].material + ", and look at what they render.";
-  const double factor = std::exp(std::hypot(error_of(all[0]), error_of(all[1])));
-  return hint + "how many times likelier the first is than the next may itself be off by a factor of " +
-         number_text(factor, 1) + ", and no material here may be the true one. Look at what it renders.";
+  return hint + "no material here may be the true one. Look at what " + all[0].material + " renders.";
 }
 
 }  // namespace patina
