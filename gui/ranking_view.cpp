@@ -1,6 +1,6 @@
 #include "gui/ranking_view.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "engine/run/ranking_words.h"
 #include "gui/words.h"
@@ -12,17 +12,10 @@ constexpr double kGoodMatch = 1.2;  // misfit; 1 is usual for a material that fi
 
 }  // namespace
 
-Standing standing(const RankedMaterial& material, const RankedMaterial& first) {
-  if (material.distance && first.distance) {
-    const double further = 100 * (*material.distance / *first.distance - 1);
-    return {std::min(1.0, *first.distance / *material.distance),
-            further <= 0 ? "nearest" : number_text(further, 2) + " % further off"};
-  }
+std::string likelihood_text(const RankedMaterial& material) {
   const double percent = 100 * material.probability;
-  const std::string text = percent > 99  ? "over 99 %"
-                           : percent < 1 ? "under 1 %"
-                                         : number_text(percent, 2) + " %";
-  return {material.probability, material.error ? text : text + " at first sight"};
+  std::string text = percent > 99 ? "over 99 %" : percent < 1 ? "under 1 %" : number_text(percent, 2) + " %";
+  return material.error ? text : text + " at first sight";
 }
 
 std::string fit_text(const RankedMaterial& material) {
@@ -39,7 +32,9 @@ std::string uncertainty_text(const MaterialRanking& ranking) {
   if (all.size() < 2) return hint + "there was nothing to compare it with.";
   if (within_error(all[0], all[1]))
     return hint + "try " + all[0].material + " and " + all[1].material + ", and look at what they render.";
-  return hint + "no material here may be the true one. Look at what " + all[0].material + " renders.";
+  const double factor = std::exp(std::hypot(error_of(all[0]), error_of(all[1])));
+  return hint + "how many times likelier the first is than the next may itself be off by a factor of " +
+         number_text(factor, 1) + ", and no material here may be the true one. Look at what it renders.";
 }
 
 }  // namespace patina

@@ -8,14 +8,9 @@ namespace patina {
 
 // What a ranking of materials tells someone who knows no evidences.
 
-/// What a material has of the first one's claim, for a bar, 0 to 1, and in words: by a glance how likely it
-/// is, "over 99 % at first sight", "42 %", "under 1 %"; after a search how much further off its other samples
-/// are than the first one's, "nearest", "21 % further off".
-struct Standing {
-  double share;
-  std::string words;
-};
-Standing standing(const RankedMaterial& material, const RankedMaterial& first);
+/// How likely a material is: "over 99 %", "42 %", "under 1 %", and whether it was not measured but only
+/// looked at.
+std::string likelihood_text(const RankedMaterial& material);
 
 /// How well its best match fits the photo, with the figure beside: "fits (0.9)".
 /// Empty where no match was searched for.

@@ -10,18 +10,16 @@ namespace {
 
 std::string line_of(const RankedMaterial& m) {
   const std::string misfit = m.misfit ? format("%.1f", *m.misfit) : "";
-  const std::string distance = m.distance ? format("%.3f +- %.3f", *m.distance, m.distance_error) : "";
   const std::string evidence =
       m.error ? format("%9.1f +- %.1f", m.log_evidence, *m.error) : format("%9.1f  about", m.log_evidence);
-  return format("%-12s %-15s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), distance.c_str(),
-                evidence.c_str(), m.probability, m.parameters, misfit.c_str(), m.seconds);
+  return format("%-12s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence.c_str(), m.probability,
+                m.parameters, misfit.c_str(), m.seconds);
 }
 
 }  // namespace
 
 std::string ranking_table(const MaterialRanking& ranking) {
-  std::string text = format("%-12s %-15s %-18s %11s %11s %7s %9s\n", "material", "distance", "log evidence",
-                            "probability", "parameters", "misfit", "seconds");
+  std::string text = "material      log evidence      probability  parameters  misfit   seconds\n";
   for (const RankedMaterial& material : ranking.materials) text += line_of(material);
   return text + ranking.sentence + "\n";
 }

@@ -5,24 +5,17 @@
 #include <limits>
 
 #include "engine/material/registry.h"
-#include "engine/material/renderer.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
-#include "engine/sampling/parallel_for.h"
 #include "engine/sampling/sequential.h"
 #include "engine/summary/summary.h"
-#include "engine/summary/summary_name.h"
-#include "engine/summary/texture_distance.h"
 
 namespace patina {
 namespace {
-
-// Other samples of a match, with irregularities that it was not fitted with.
-constexpr int kSamples = 4;
 
 /// The search begins at half as many pixels a side.
 int coarser(int resolution) { return std::max(resolution / 2, kLeastRankResolution); }
@@ -33,8 +26,7 @@ PosteriorSettings posterior_settings(const std::string& material, const RankSett
   posterior.material = material;
   posterior.capture = settings.capture;
   posterior.resolution = resolution;
-  posterior.summary =
-      resolution < settings.resolution ? without_covariances(settings.summary) : settings.summary;
+  posterior.summary = settings.summary;
   posterior.network = settings.network;
   posterior.z_seed = settings.z_seed;
   posterior.priors = camera_priors(material, settings.capture);
@@ -69,10 +61,9 @@ std::map<std::string, TruncatedNormal> camera_priors(const std::string& material
 }
 
 MaterialEvidence::MaterialEvidence(const std::string& material, const RankSettings& settings,
-                                   const Image& photo, const TextureDistance& texture)
+                                   const Image& photo)
     : settings_(settings),
       photo_(photo),
-      texture_(texture),
       coarse_(posterior_settings(material, settings, coarser(settings.resolution)), photo),
       posterior_(posterior_settings(material, settings, settings.resolution), photo),
       best_(posterior_.position(prior_location(posterior_.table()))),
@@ -84,9 +75,7 @@ void MaterialEvidence::search(int threads, RunControl& control, const std::funct
   MapSearchSettings search;
   search.prior_draws = 64;
   search.descents = 8;
-  search.finalists = 2;
-  search.evolutions = 3;
-  search.generations = 60;
+  search.finalists = 3;
   search.guesses = predicted_guesses(coarse_, photo_, settings_.capture, settings_.seed);
   search.threads = threads;
   search.enter_thread = [] { use_tensor_threads(1); };
@@ -101,24 +90,6 @@ void MaterialEvidence::search(int threads, RunControl& control, const std::funct
       basins.push_back({{basin.position, basin.evaluation}, laplace_covariance(target, basin.position)});
   evidence_ = {laplace_log_evidence(basins, target.discrete_levels()),
                std::numeric_limits<double>::quiet_NaN()};
-}
-
-void MaterialEvidence::hold_out(int threads, RunControl& control,
-                                const std::function<void(double)>& progress) {
-  const Stopwatch stopwatch(seconds_);
-  const ParameterValues match = posterior_.values(best_);
-  Eigen::ArrayXd distances(kSamples);
-  parallel_for(
-      kSamples, threads,
-      [&](std::size_t i) {
-        control.checkpoint();
-        const Renderer sample(posterior_.table().material, settings_.z_seed + 1 + i, settings_.capture);
-        distances[static_cast<Eigen::Index>(i)] = texture_(sample.render(match, texture_.resolution()));
-        progress(static_cast<double>(i + 1) / kSamples);
-      },
-      [] { use_tensor_threads(1); });
-  distance_ = distances.mean();
-  distance_error_ = std::sqrt((distances - *distance_).square().sum() / (kSamples - 1) / kSamples);
 }
 
 void MaterialEvidence::measure(int threads, RunControl& control,
@@ -141,6 +112,7 @@ void MaterialEvidence::measure(int threads, RunControl& control,
 }
 
 void MaterialEvidence::compare_samples() {
+  constexpr int kSamples = 3;
   const Eigen::VectorXd own = posterior_.predicted(best_);
   double total = 0;
   for (int i = 1; i <= kSamples; ++i) {
@@ -161,8 +133,6 @@ RankedMaterial MaterialEvidence::ranked() const {
   if (std::isfinite(evidence_.error)) ranked.error = evidence_.error;
   ranked.match = posterior_.values(best_);
   ranked.misfit = std::sqrt(misfit_ / expected_misfit_);
-  ranked.distance = distance_;
-  ranked.distance_error = distance_error_;
   ranked.misfit_of_another_sample = misfit_of_another_sample_;
   ranked.seconds = seconds_;
   return ranked;

@@ -13,8 +13,6 @@
 
 namespace patina {
 
-class TextureDistance;
-
 /// Flash and vignetting are the camera's, not the material's: in a ranking all materials have the same priors
 /// for them, wide ones, where a fit has those of the material's file, which mean a camera at 25 cm. The
 /// flash's is scaled with the square of the camera's distance, the vignetting's with the distance, so that
@@ -24,18 +22,13 @@ std::map<std::string, TruncatedNormal> camera_priors(const std::string& material
 /// One material's posterior for the photo that a ranking is about, and what is known of its evidence.
 class MaterialEvidence {
  public:
-  /// @param photo, texture  of that photo; both outlive this   @throws UserError
-  MaterialEvidence(const std::string& material, const RankSettings& settings, const Image& photo,
-                   const TextureDistance& texture);
+  /// @param photo  outlives this   @throws UserError
+  MaterialEvidence(const std::string& material, const RankSettings& settings, const Image& photo);
 
   /// A search from draws of the prior, coarse first, and Laplace's approximation in the basins that it ends
   /// in.
   /// @param progress  with the share done   @throws RunStopped
   void search(int threads, RunControl& control, const std::function<void(double)>& progress);
-
-  /// Renders the best match with irregularities, and in detail, that it was not fitted with, and compares
-  /// textures. @throws RunStopped
-  void hold_out(int threads, RunControl& control, const std::function<void(double)>& progress);
 
   /// Sequential Monte Carlo. @throws RunStopped
   void measure(int threads, RunControl& control, const std::function<void(double)>& progress);
@@ -48,13 +41,11 @@ class MaterialEvidence {
  private:
   RankSettings settings_;
   const Image& photo_;
-  const TextureDistance& texture_;
   Posterior coarse_, posterior_;
   LogEvidence evidence_;
   Position best_;                        ///< the prior's means before a search
   double expected_misfit_, misfit_ = 0;  ///< half chi-squares
-  std::optional<double> misfit_of_another_sample_, distance_;
-  double distance_error_ = 0;
+  std::optional<double> misfit_of_another_sample_;
   double seconds_ = 0;
 };
 

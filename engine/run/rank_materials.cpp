@@ -13,17 +13,12 @@
 #include "engine/run/run_control.h"
 #include "engine/run/run_settings.h"
 #include "engine/run/threads.h"
-#include "engine/summary/texture_distance.h"
 
 namespace patina {
 namespace {
 
 // What is so far behind in the first cut is not measured again, nats.
 constexpr double kHopeless = 12;
-
-// Pixels a side at which textures are compared, of a photo that has as many, whatever matches were searched
-// at.
-constexpr int kTextureResolution = 256;
 
 void check(const RankSettings& settings) {
   if (settings.resolution < kLeastRankResolution)
@@ -63,20 +58,16 @@ class Report {
 class Ranking {
  public:
   Ranking(const Image& photo, const RankSettings& settings, RunControl& control, Report& report)
-      : settings_(settings),
-        control_(control),
-        report_(report),
-        texture_(photo, std::clamp(photo.width, kLeastRankResolution, kTextureResolution), settings.network) {
+      : settings_(settings), control_(control), report_(report) {
     for (const std::string& name : settings.materials)
-      candidates_.push_back(std::make_unique<MaterialEvidence>(name, settings, photo, texture_));
+      candidates_.push_back(std::make_unique<MaterialEvidence>(name, settings, photo));
   }
 
   MaterialRanking run() {
-    const double compared = settings_.finalists > 0 ? 0.4 : 1;
-    work_through(0, 0.9 * compared, "looking for a match in ", &MaterialEvidence::search);
-    work_through(0.9 * compared, compared, "looking at other samples of ", &MaterialEvidence::hold_out);
+    const double searched = settings_.finalists > 0 ? 0.4 : 1;
+    work_through(0, searched, "looking for a match in ", &MaterialEvidence::search);
     drop_the_hopeless();
-    if (settings_.finalists > 0) work_through(compared, 1, "weighing ", &MaterialEvidence::measure);
+    if (settings_.finalists > 0) work_through(searched, 1, "weighing ", &MaterialEvidence::measure);
     MaterialRanking ranking;
     for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
     for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());
@@ -124,7 +115,6 @@ class Ranking {
   const RankSettings& settings_;
   RunControl& control_;
   Report& report_;
-  TextureDistance texture_;
   std::vector<std::unique_ptr<MaterialEvidence>> candidates_, dropped_;
 };
 

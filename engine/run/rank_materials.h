@@ -20,13 +20,14 @@ struct RunSettings;
 struct RankSettings {
   std::vector<std::string> materials;  ///< by name; empty: all
   Capture capture;
-  int resolution = 192;  ///< pixels a side at which matches are searched for: at 128 grain is hardly seen
-  std::string summary = "gram+covariances";  ///< the same for all, since evidences compare only on the same data
-  std::filesystem::path network;        ///< empty: the bundled one
-  bool glance = false;                  ///< only what a trained network says, in a second (material_glance.h)
-  int finalists = 0;   ///< evidences of so many of the best are measured again, with an error
-  int particles = 32;  ///< of each of the four islands that measure with
-  int threads = 0;     ///< 0: as many as the machine has
+  int resolution =
+      128;  ///< pixels a side at which renders are compared with the photo: at 64 no grain is left
+  std::string summary = "gram";   ///< the same for all, since evidences compare only on the same data
+  std::filesystem::path network;  ///< empty: the bundled one
+  bool glance = false;            ///< only what a trained network says, in a second (material_glance.h)
+  int finalists = 3;              ///< so many of the best are measured again, with an error; 0: none
+  int particles = 32;             ///< of each of the four islands that measure with
+  int threads = 0;                ///< 0: as many as the machine has
   std::uint64_t seed = 1;
   std::uint64_t z_seed = 1;
 };
@@ -41,12 +42,9 @@ struct RankedMaterial {
   std::optional<double> error;
   double probability = 0;  ///< among the materials compared, all equally likely beforehand
   ParameterValues match;   ///< the best that was found
-  /// How unlike the photo's texture that of other samples of the match is, with other irregularities, at
-  /// twice the pixels (summary/texture_distance.h), and the standard error of their mean. None of a glance.
-  std::optional<double> distance;
-  double distance_error = 0;
-  /// How far the match is off the photo, over what the error model allows a material that fits: about 1 or
-  /// less of one that does, above kPoorMatch of one that does not. None of a glance.
+  /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
+  /// one that does, above kPoorMatch of one that does not.
+  /// None of a glance.
   std::optional<double> misfit;
   /// How far another sample of the same surface would be off, other irregularities at the same parameters:
   /// what no search can remove. Of the first material alone.
@@ -68,11 +66,8 @@ constexpr double kPoorMatch = 2;
 /// that take minutes (resources/compare), or, with materials that it does not know, the first cut alone.
 RankSettings first_cut(const RunSettings& settings, const Capture& capture);
 
-/// Ranks materials for a photo, the nearest first: for every one a match is searched for, coarse first, and
-/// other samples of it are compared with the photo; of those that come equally near, within the error, the
-/// simplest is preferred. Evidence is told beside, by Laplace's approximation and, of the best few by it, if
-/// asked for, by sequential Monte Carlo (sampling/sequential.h): it decides less well (resources/compare).
-/// Safe to call from any thread; takes a minute or two.
+/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few
+/// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.
 /// @param photo     square, 3 channels, sRGB in [0,1]
 /// @param progress  called from this thread and others, one at a time, with the share that is done and what
 /// is

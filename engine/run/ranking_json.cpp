@@ -18,8 +18,6 @@ Json ranking_json(const MaterialRanking& ranking) {
                          {"log_evidence", m.log_evidence},
                          {"error", m.error ? Json(*m.error) : Json(nullptr)},
                          {"probability", m.probability},
-                         {"distance", m.distance ? Json(*m.distance) : Json(nullptr)},
-                         {"distance_error", m.distance ? Json(m.distance_error) : Json(nullptr)},
                          {"misfit", m.misfit ? Json(*m.misfit) : Json(nullptr)},
                          {"misfit_of_another_sample",
                           m.misfit_of_another_sample ? Json(*m.misfit_of_another_sample) : Json(nullptr)},

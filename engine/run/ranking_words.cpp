@@ -29,11 +29,10 @@ std::string none_fits(const RankedMaterial& best) {
 
 }  // namespace
 
+double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
+
 bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
-  if (a.distance && b.distance)
-    return std::abs(*a.distance - *b.distance) < 2 * std::hypot(a.distance_error, b.distance_error);
-  return std::abs(a.log_evidence - b.log_evidence) <
-         2 * std::hypot(a.error.value_or(kLaplaceError), b.error.value_or(kLaplaceError));
+  return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));
 }
 
 void put_in_order(std::vector<RankedMaterial>& materials) {
@@ -44,8 +43,6 @@ void put_in_order(std::vector<RankedMaterial>& materials) {
   for (const RankedMaterial& material : materials) total += std::exp(material.log_evidence - best);
   for (RankedMaterial& material : materials)
     material.probability = std::exp(material.log_evidence - best) / total;
-  if (std::ranges::all_of(materials, [](const RankedMaterial& m) { return m.distance.has_value(); }))
-    std::ranges::stable_sort(materials, std::less(), &RankedMaterial::distance);
   auto simplest = materials.begin();
   for (auto rival = materials.begin() + 1; rival != materials.end(); ++rival)
     if (rival->parameters < simplest->parameters && within_error(*rival, materials.front())) simplest = rival;
@@ -63,10 +60,6 @@ std::string in_words(const MaterialRanking& ranking) {
     return first.material + " or " + next.material +
            ": the photo cannot tell them apart within the error of the comparison" +
            (first.parameters < next.parameters ? ", and " + first.material + " is the simpler." : ".");
-  if (first.distance && next.distance)
-    return format("%s, whose other samples come %.0f %% nearer to the photo than those of %s, the next.",
-                  first.material.c_str(), 100 * (1 - *first.distance / *next.distance),
-                  next.material.c_str());
   return first.material + ", " + times(first.log_evidence - next.log_evidence) + " likelier than " +
          next.material + ", the next.";
 }

@@ -6,17 +6,19 @@
 
 namespace patina {
 
-/// "leather, whose other samples come 21 % nearer to the photo than those of plaster, the next": what a
-/// ranking found, in one or two sentences for people who know no evidences.
+/// "leather, 12 times likelier than plaster, the next": what a ranking found, in one or two sentences for
+/// people who know no evidences.
 std::string in_words(const MaterialRanking& ranking);
 
-/// Whether what the order goes by could be the other way round within its error: twice the standard errors of
-/// the distances where there are such, else of the log evidences or what Laplace's approximation is taken to
-/// be off by.
+/// The standard deviation of a log evidence, or what Laplace's approximation is taken to be off by.
+double error_of(const RankedMaterial& material);
+
+/// Whether the better evidence of two could be the worse one: their errors, or the crudeness of Laplace's
+/// approximation where one has none, cover the difference.
 bool within_error(const RankedMaterial& a, const RankedMaterial& b);
 
-/// The nearest first, or, of materials that were not searched for, that of the best evidence; but of those
-/// that are within error of the best the one with the fewest parameters comes first. Sets the probabilities.
+/// Best evidence first; but of those that are within error of the best the one with the fewest parameters
+/// comes first. Sets the probabilities.
 void put_in_order(std::vector<RankedMaterial>& materials);
 
 }  // namespace patina

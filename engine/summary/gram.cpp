@@ -98,9 +98,12 @@ at::Tensor covariance_vector(const at::Tensor& features) {
 at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
   std::vector<at::Tensor> grams, covariances;
   for (const at::Tensor& features : network_.features(image)) {
-    const at::Tensor gram = gram_vector(features);
-    if (about_ != About::mean) grams.push_back(gram);
-    if (about_ != About::zero) covariances.push_back(gram - gram_of_means(features));
+    if (about_ == About::mean) {
+      covariances.push_back(covariance_vector(features));
+      continue;
+    }
+    grams.push_back(gram_vector(features));
+    if (about_ == About::both) covariances.push_back(grams.back() - gram_of_means(features));
   }
   grams.insert(grams.end(), covariances.begin(), covariances.end());
   return at::cat(grams);

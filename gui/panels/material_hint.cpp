@@ -50,8 +50,7 @@ void MaterialHint::draw(const PanelContext& context) {
 }
 
 /// A row to choose: the name, its share as a bar with words, and how well the best match fits.
-void MaterialHint::draw_material(const PanelContext& context, const RankedMaterial& material,
-                                 const RankedMaterial& first) {
+void MaterialHint::draw_material(const PanelContext& context, const RankedMaterial& material) {
   Session& session = context.session;
   ImGui::TableNextColumn();
   const bool chosen = session.settings().material == material.material;
@@ -63,8 +62,7 @@ void MaterialHint::draw_material(const PanelContext& context, const RankedMateri
   ImGui::TableNextColumn();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), width = 6 * ImGui::GetFontSize();
-  const Standing at = standing(material, first);
-  const float share = width * static_cast<float>(std::clamp(at.share, 0.0, 1.0));
+  const float share = width * static_cast<float>(std::clamp(material.probability, 0.0, 1.0));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({corner.x, corner.y + 0.3f * line}, {corner.x + width, corner.y + 0.7f * line},
                      theme::kWell);
@@ -72,7 +70,7 @@ void MaterialHint::draw_material(const PanelContext& context, const RankedMateri
                      theme::kAccent);
   ImGui::Dummy({width, line});
   ImGui::SameLine();
-  ImGui::TextUnformatted(at.words.c_str());
+  ImGui::TextUnformatted(likelihood_text(material).c_str());
   if (!material.misfit) return;
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, *material.misfit > kPoorMatch ? theme::kWarning : theme::kText);
@@ -93,12 +91,10 @@ void MaterialHint::draw_result(const PanelContext& context, const MaterialRankin
   const bool searched = ranking.materials.front().misfit.has_value();
   if (ImGui::BeginTable("materials", searched ? 3 : 2)) {
     ImGui::TableSetupColumn("Material", ImGuiTableColumnFlags_WidthFixed, 8 * em);
-    ImGui::TableSetupColumn(searched ? "Other samples of it" : "Likely", ImGuiTableColumnFlags_WidthFixed,
-                            15 * em);
+    ImGui::TableSetupColumn("Likely", ImGuiTableColumnFlags_WidthFixed, 15 * em);
     if (searched) ImGui::TableSetupColumn("Its best match", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
-    for (const RankedMaterial& material : ranking.materials)
-      draw_material(context, material, ranking.materials.front());
+    for (const RankedMaterial& material : ranking.materials) draw_material(context, material);
     ImGui::EndTable();
   }
   muted_text("Click a material to choose it for the next run.");

@@ -18,8 +18,7 @@ class MaterialHint {
   std::optional<ImVec2> place_of(const std::string& material) const;
 
  private:
-  void draw_material(const PanelContext& context, const RankedMaterial& material,
-                     const RankedMaterial& first);
+  void draw_material(const PanelContext& context, const RankedMaterial& material);
   void draw_result(const PanelContext& context, const MaterialRanking& ranking);
 
   std::map<std::string, ImVec2> places_;

@@ -7,8 +7,8 @@ namespace {
 class Compare : public CliTest {
  protected:
   std::vector<std::string> quick() const {
-    return {"compare", photo(),        "--materials", "translucent,bump", "--summary",
-            "means",   "--resolution", "32",          "--quiet"};
+    return {"compare", photo(),       "--materials", "translucent,bump", "--summary", "means", "--resolution",
+            "32",      "--finalists", "0",           "--quiet"};
   }
 };
 
@@ -23,7 +23,6 @@ TEST_F(Compare, RanksInBothFormsAlike) {
   for (const auto& material : json["materials"]) {
     EXPECT_NE(text.find("\n" + material["material"].get<std::string>() + " "), std::string::npos);
     EXPECT_TRUE(material["error"].is_null());
-    EXPECT_GT(material["distance"].get<double>(), 0);
     EXPECT_FALSE(material["match"].empty());
     total += material["probability"].get<double>();
   }

@@ -54,21 +54,6 @@ TEST(Ranking, says_by_how_much_the_first_is_ahead_or_that_it_is_not) {
   EXPECT_NE(in_words(ranking).find("10^40"), std::string::npos) << in_words(ranking);
 }
 
-TEST(Ranking, goes_by_the_distance_of_other_samples_where_there_is_one_and_says_so) {
-  MaterialRanking ranking;
-  ranking.materials = {material("plaster", -10, {}, 13), material("leather", -90, {}, 15)};
-  ranking.materials[0].distance = 0.5, ranking.materials[0].distance_error = 0.01;
-  ranking.materials[1].distance = 0.4, ranking.materials[1].distance_error = 0.02;
-  put_in_order(ranking.materials);
-  EXPECT_EQ(ranking.materials[0].material, "leather") << "twice their error apart";
-  EXPECT_EQ(in_words(ranking),
-            "leather, whose other samples come 20 % nearer to the photo than those of plaster, the next.");
-  ranking.materials[0].distance_error = 0.06;
-  put_in_order(ranking.materials);
-  EXPECT_EQ(ranking.materials[0].material, "plaster") << "within their error, and the simpler";
-  EXPECT_NE(in_words(ranking).find("cannot tell them apart"), std::string::npos) << in_words(ranking);
-}
-
 TEST(Ranking, says_that_none_fits_where_the_best_match_is_a_poor_one) {
   MaterialRanking ranking;
   ranking.materials = {material("leather", -10, 0.1, 15), material("plaster", -20, 0.1, 13)};
@@ -89,6 +74,7 @@ class RankMaterials : public RunTest {
     settings.materials = {"translucent", "bump"};
     settings.summary = "means";
     settings.resolution = 32;
+    settings.finalists = 0;
     return settings;
   }
 
@@ -98,7 +84,7 @@ class RankMaterials : public RunTest {
     ParameterValues values = prior_location(renderer.table());
     values.continuous[*renderer.table().find_continuous("albedo_r")] = 0.7;
     values.continuous[*renderer.table().find_continuous("albedo_g")] = 0.1;
-    return renderer.render(values, 64);
+    return renderer.render(values, 48);
   }
 };
 
@@ -134,9 +120,6 @@ TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
   ASSERT_EQ(ranking->materials.size(), 2u);
   EXPECT_EQ(ranking->materials[0].material, "bump");
   EXPECT_GT(ranking->materials[0].log_evidence, ranking->materials[1].log_evidence + 10);
-  EXPECT_LT(ranking->materials[0].distance, ranking->materials[1].distance);
-  EXPECT_GT(ranking->materials[0].distance_error, 0) << "of several samples";
-  EXPECT_EQ(ranking->materials[1].distance_error, 0) << "nothing of a translucent medium is irregular";
   EXPECT_FALSE(ranking->materials[0].error) << "a first cut has no error to tell";
   const ParameterTable table = Renderer("bump", 1, Capture{}).table();
   const std::vector<double>& match = ranking->materials[0].match.continuous;
