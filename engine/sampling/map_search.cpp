@@ -61,9 +61,8 @@ class Search {
     total_ = candidate_count() + climb_count() * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
-      total_ += kValueCost * EvolutionSettings{}.population *
-                (settings.evolutions * settings.generations +
-                 finalist_count() * settings.generations * cost(grain_target()));
+      total_ += kValueCost * EvolutionSettings{}.population * generations() *
+                (settings.evolutions + finalist_count() * cost(grain_target()));
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
@@ -90,6 +89,7 @@ class Search {
   bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
   int finalist_count() const { return std::max(settings_.finalists, 1); }
   static double cost(std::size_t target) { return std::pow(kCostRatio, target); }
+  int generations() const { return settings_.generations * static_cast<int>(targets_.front()->dimension()); }
   int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
 
   void for_all(std::size_t count, const std::function<void(std::size_t)>& work) const {
@@ -200,7 +200,7 @@ class Search {
   OptimizerResult evolve(std::size_t target, const Position& start, double spread) {
     EvolutionSettings evolution;
     evolution.spread = spread;
-    evolution.generations = settings_.generations;
+    evolution.generations = generations();
     evolution.threads = settings_.threads;
     evolution.enter_thread = settings_.enter_thread;
     evolution.stop_requested = settings_.stop_requested;

@@ -12,11 +12,12 @@ namespace patina {
 
 struct MapSearchSettings {
   int prior_draws = 64;  ///< candidates N(0, I), discrete levels uniform, on the coarsest target
-  std::vector<Position> guesses = {};  ///< the best three are climbed from as well, and have a finalist of theirs
-  int descents = 8;                    ///< best candidates that are climbed from on the coarsest target
-  int finalists = 2;                   ///< best of those that are climbed from on every finer target
-  int evolutions = 4;                  ///< of targets with jagged coordinates, on the coarsest, one from a guess
-  int generations = 80;                ///< of each, and of each finalist on a finer target
+  std::vector<Position> guesses =
+      {};               ///< the best three are climbed from as well, and have a finalist of theirs
+  int descents = 8;     ///< best candidates that are climbed from on the coarsest target
+  int finalists = 2;    ///< best of those that are climbed from on every finer target
+  int evolutions = 4;   ///< of targets with jagged coordinates, on the coarsest, one from a guess
+  int generations = 5;  ///< of each, and of each finalist on a finer target, for every continuous coordinate
   int coarse_iterations = 40;
   int fine_iterations = 40;
   int threads =
