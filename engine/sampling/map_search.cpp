@@ -21,6 +21,7 @@ constexpr double kSameBasin = 0.3;  // prior standard deviations
 
 // Evolution of targets with jagged coordinates: about the prior, about a guess, and about a finalist.
 constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.3;
+constexpr int kLeastGenerations = 80;
 constexpr double kValueCost = 0.5;  // of an evaluation's with gradient
 
 constexpr int kGuessesClimbed = 3;
@@ -89,7 +90,10 @@ class Search {
   bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
   int finalist_count() const { return std::max(settings_.finalists, 1); }
   static double cost(std::size_t target) { return std::pow(kCostRatio, target); }
-  int generations() const { return settings_.generations * static_cast<int>(targets_.front()->dimension()); }
+  int generations() const {
+    return std::max(kLeastGenerations,
+                    settings_.generations * static_cast<int>(targets_.front()->dimension()));
+  }
   int short_climb() const { return std::max(settings_.coarse_iterations / 4, 1); }
 
   void for_all(std::size_t count, const std::function<void(std::size_t)>& work) const {
