@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
 
 namespace patina {
@@ -82,10 +83,8 @@ class Strategy {
 std::vector<Eigen::Index> better_half(const std::vector<double>& values) {
   std::vector<Eigen::Index> order(values.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater(), [&](Eigen::Index i) {
-    const double value = values[static_cast<std::size_t>(i)];
-    return std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
-  });
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)]; });
   order.resize(order.size() / 2);
   return order;
 }
@@ -94,7 +93,7 @@ std::vector<Eigen::Index> better_half(const std::vector<double>& values) {
 
 OptimizerResult evolve(const LogDensity& target, const Position& start, Rng& rng,
                        const EvolutionSettings& settings) {
-  OptimizerResult best{start, target.value(start), 1, {}};
+  OptimizerResult best{start, value_finite(target, start), 1, {}};
   Strategy strategy(start.continuous, settings.spread, settings.population);
   const auto count = static_cast<std::size_t>(settings.population);
   for (int generation = 0; generation < settings.generations && strategy.width() > kNarrow; ++generation) {
@@ -105,7 +104,9 @@ OptimizerResult evolve(const LogDensity& target, const Position& start, Rng& rng
     const auto at = [&](Eigen::Index i) { return Position{strategy.place(steps.col(i)), start.discrete}; };
     parallel_for(
         count, settings.threads,
-        [&](std::size_t i) { values[i] = target.value(at(static_cast<Eigen::Index>(i))).log_density; },
+        [&](std::size_t i) {
+          values[i] = value_finite(target, at(static_cast<Eigen::Index>(i))).log_density;
+        },
         settings.enter_thread);
     const std::vector<Eigen::Index> order = better_half(values);
     const double top = values[static_cast<std::size_t>(order.front())];

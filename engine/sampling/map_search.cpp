@@ -156,9 +156,13 @@ class Search {
     return results;
   }
 
-  void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {
+  void begin_on(std::size_t target) {
     best_known_ = best_known_ && target == best_target_;  // log densities of two targets do not compare
     best_target_ = target;
+  }
+
+  void climb_all(std::vector<OptimizerResult>& results, std::size_t target, int iterations) {
+    begin_on(target);
     for_all(results.size(), [&](std::size_t i) {
       if (stopped()) return;
       results[i] = climb(*targets_[target], results[i].position, iterations);
@@ -211,9 +215,7 @@ class Search {
     evolution.evolved = [&](const OptimizerResult& best) {
       report(best, kValueCost * evolution.population * cost(target));
     };
-    OptimizerResult result = patina::evolve(*targets_[target], start, rng_, evolution);
-    if (!std::isfinite(result.evaluation.log_density)) result.evaluation = nothing(start.continuous.size());
-    return result;
+    return patina::evolve(*targets_[target], start, rng_, evolution);
   }
 
   /// Evolves the best guess, and from the whole prior at random levels; what comes of it takes the place of
@@ -230,8 +232,7 @@ class Search {
 
   /// Evolves each once more where the grain tells; coarser targets cannot.
   void refine_all(std::vector<OptimizerResult>& results) {
-    best_known_ = best_known_ && grain_target() == best_target_;
-    best_target_ = grain_target();
+    begin_on(grain_target());
     for (OptimizerResult& result : results) {
       if (stopped()) return;
       result = evolve(grain_target(), result.position, kFinalistSpread);

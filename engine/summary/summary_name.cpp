@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kOfNetwork{"gram", "covariances"};
 
+void append(std::string& summary, const std::string& part) { summary += (summary.empty() ? "" : "+") + part; }
+
 bool has_levels(const std::string& base) { return std::ranges::count(kOfNetwork, base) > 0; }
 
 }  // namespace
@@ -37,7 +39,7 @@ std::string without_covariances(const std::string& summary) {
   if (std::ranges::none_of(parts, is("gram"))) return summary;
   std::string result;
   for (const std::string& part : parts)
-    if (!is("covariances")(part)) result += (result.empty() ? "" : "+") + part;
+    if (!is("covariances")(part)) append(result, part);
   return result;
 }
 
@@ -45,7 +47,7 @@ std::string with_levels(const std::string& summary, int levels) {
   std::string result;
   for (const std::string& part : parts_of(summary)) {
     const std::string base = without_levels(part).first;
-    result += (result.empty() ? "" : "+") + base + (has_levels(base) ? std::to_string(levels) : "");
+    append(result, base + (has_levels(base) ? std::to_string(levels) : ""));
   }
   return result;
 }
