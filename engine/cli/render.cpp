@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "engine/io/image_file.h"
 #include "engine/io/params_json.h"
 #include "engine/material/renderer.h"
+#include "engine/posterior/parameter_space.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/threads.h"
 
@@ -17,23 +19,31 @@ namespace {
 struct Options {
   std::string material;
   std::filesystem::path params, out;
-  std::vector<std::string> assignments;
+  std::vector<std::string> assignments, priors;
   std::uint64_t z_seed = 1;
   int resolution = 512;
   CaptureArguments capture;
   DisplayCurve curve = DisplayCurve::srgb;
 };
 
+/// The material's parameters, within the bounds of other priors, as a run's may be.
+ParameterTable table_of(const Renderer& renderer, const std::vector<std::string>& priors) {
+  std::map<std::string, TruncatedNormal> others;
+  for (const std::string& text : priors) others.insert(parse_prior(text));
+  return ParameterSpace(renderer.table(), others, {}).table();
+}
+
 int render(const Options& options) {
   use_tensor_threads(hardware_threads());
   check_material_argument(options.material);
   check_resolution(options.resolution);
   const Renderer renderer(options.material, options.z_seed, options.capture.capture());
-  ParameterValues values = prior_location(renderer.table());
-  if (!options.params.empty()) values = read_params(options.params, renderer.table(), values);
+  const ParameterTable table = table_of(renderer, options.priors);
+  ParameterValues values = prior_location(table);
+  if (!options.params.empty()) values = read_params(options.params, table, values);
   for (const std::string& text : options.assignments) {
     const auto [name, value] = parse_assignment("--set", text);
-    set_parameter(renderer.table(), name, value, values);
+    set_parameter(table, name, value, values);
   }
   const bool floats = options.out.extension() == ".exr";
   write_image(options.out, renderer.render(values, options.resolution, options.curve),
@@ -51,6 +61,11 @@ void add_render(CLI::App& app, Command& chosen) {
       ->type_name("FILE.json");
   command.add_option("--set", options->assignments, "One parameter's value, over those of --params")
       ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--prior", options->priors,
+                  "Replace a parameter's prior, for values beyond its bounds (repeatable)")
+      ->type_name("NAME=MEAN,SD,LOW,HIGH")
       ->allow_extra_args(false);
   command.add_option("--z-seed", options->z_seed, "Seed of the irregularities")
       ->capture_default_str()

@@ -30,7 +30,11 @@ OIIO::ROI stored_place(const PhotoCrop& crop, int orientation, int width, int he
 OIIO::ImageBuf resized_buffer(const OIIO::ImageBuf& source, int width, int height) {
   const int channels = source.nchannels();
   OIIO::ImageBuf result(OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::FLOAT));
-  OIIO::ImageBufAlgo::resize(result, source, "", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, channels));
+  // To hand few pixels to a pool of threads takes longer than to scale them.
+  constexpr OIIO::imagesize_t kFew = 1 << 20;
+  const int threads = source.spec().image_pixels() <= kFew ? 1 : 0;
+  OIIO::ImageBufAlgo::resize(result, source, "", 0, OIIO::ROI(0, width, 0, height, 0, 1, 0, channels),
+                             threads);
   return result;
 }
 

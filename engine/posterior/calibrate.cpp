@@ -53,7 +53,7 @@ void approximate(const Posterior& posterior, const Eigen::VectorXd& start, Calib
 
 /// Whether a round's photos were where its posterior is, and about as far apart.
 bool settled(const Region& region, const Eigen::VectorXd& mode, const Eigen::MatrixXd& covariance) {
-  constexpr double kWidest = 1.5, kNarrowest = 0.1;  // variances; a region of the right width has 0.44
+  constexpr double kWidest = 1.5, kNarrowest = 0.25;  // variances; a region of the right width has 0.44
   const Eigen::ArrayXd shares = covariance.diagonal().array() / region.factor.rowwise().squaredNorm().array();
   return region.offset(mode).norm() < std::sqrt(static_cast<double>(mode.size())) &&
          shares.maxCoeff() < kWidest && shares.minCoeff() > kNarrowest;

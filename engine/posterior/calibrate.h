@@ -16,7 +16,7 @@ namespace patina {
 struct CalibrationSettings {
   int pilot = 1000;  ///< photos of the prior, of use to all photos of a material
   int round = 150;   ///< photos of each round at least; see photos_a_round()
-  int most_rounds = 4;
+  int most_rounds = 6;
 };
 
 /// A likelihood of simulations around a photo's posterior, and that posterior's normal approximation.

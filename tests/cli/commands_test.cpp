@@ -47,6 +47,16 @@ TEST_F(Commands, RenderTakesParamsThenSetsAndBothCurves) {
   EXPECT_NE(render({"--size-cm", "10"}), render({}));
 }
 
+TEST_F(Commands, RenderTakesValuesBeyondAPriorOnlyWithAWiderOne) {
+  const std::string params = file("p.json", "{\"fsigma\": 15}").string();
+  const std::vector<std::string> render{"render", "--material",  "bump",     "--resolution", "32",
+                                        "--out",  path("x.png"), "--params", params};
+  EXPECT_NE(run(render).err.find("out of range"), std::string::npos);
+  std::vector<std::string> wider = render;
+  wider.insert(wider.end(), {"--prior", "fsigma=5,2,0,20"});
+  output(wider);
+}
+
 TEST_F(Commands, PredictWritesParametersThatRenderAndFitTake) {
   const auto predicted =
       json({"predict", photo(), "--material", "bump", "--out", path("guess.json"), "--json"});
