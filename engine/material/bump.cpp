@@ -6,7 +6,11 @@
 namespace patina {
 
 Signature Bump::signature() {
-  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"}, {}};
+  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"},
+          {},
+          {},
+          {},
+          {"light", "albedo_r", "albedo_g", "albedo_b"}};
 }
 
 Surface Bump::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

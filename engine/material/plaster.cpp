@@ -14,7 +14,8 @@ Signature Plaster::signature() {
            "shift_x", "shift_y", "iSigma"},
           {{"noise", Irregularities::kMapChoices}},
           {"scale", "shift_x", "shift_y"},
-          {"shift_x", "shift_y"}};
+          {"shift_x", "shift_y"},
+          {"light", "albedo_r", "albedo_g", "albedo_b"}};
 }
 
 Surface Plaster::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,

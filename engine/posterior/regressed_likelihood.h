@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "engine/posterior/log_parameters.h"
 #include "engine/posterior/region.h"
 #include "engine/sampling/log_density.h"
 
@@ -28,8 +29,10 @@ class RegressedLikelihood {
 
   /// @param offsets   v of the simulated photos, coordinates x n   @param scores  theirs, scores x n
   /// @param observed  scores of the photo
+  /// @param axes      what is regressed in place of coordinates: v is then what their simulated values make
+  ///                  normal to second order
   RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets, const Eigen::MatrixXd& scores,
-                      const Eigen::VectorXd& observed);
+                      const Eigen::VectorXd& observed, LogParameters axes = {});
 
   /// The same with errors of so many times the variance.
   RegressedLikelihood widened(double times) const;
@@ -43,7 +46,8 @@ class RegressedLikelihood {
   void serialise(Archive& archive);
 
  private:
-  Region region_;
+  LogParameters axes_;
+  Region region_;              ///< of the axes' values
   Eigen::MatrixXd precision_;  ///< P
   Eigen::VectorXd pull_;       ///< b
 };
