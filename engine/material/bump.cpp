@@ -6,11 +6,7 @@
 namespace patina {
 
 Signature Bump::signature() {
-  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"},
-          {},
-          {},
-          {},
-          {"light", "albedo_r", "albedo_g", "albedo_b"}};
+  return {{"light", "albedo_r", "albedo_g", "albedo_b", "rough", "fsigma", "fscale", "iSigma"}, {}};
 }
 
 Surface Bump::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

@@ -36,9 +36,7 @@ Signature Flake::signature() {
            "glowF0_g", "glowF0_b", "albedo_r", "albedo_g",  "albedo_b",  "iSigma"},
           {},
           {"scale", "shift_x", "shift_y"},
-          {"shift_x", "shift_y"},
-          {"light", "topF0", "flakeF0_r", "flakeF0_g", "flakeF0_b", "glowF0_r", "glowF0_g", "glowF0_b",
-           "albedo_r", "albedo_g", "albedo_b"}};
+          {"shift_x", "shift_y"}};
 }
 
 Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

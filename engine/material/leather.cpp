@@ -13,8 +13,7 @@ Signature Leather::signature() {
            "noise_scale", "shift_x", "shift_y", "iSigma"},
           {{"cells", Irregularities::kMapChoices}, {"noise", Irregularities::kMapChoices}},
           {"scale", "shift_x", "shift_y"},
-          {"shift_x", "shift_y"},
-          {"light", "albedo_r", "albedo_g", "albedo_b"}};
+          {"shift_x", "shift_y"}};
 }
 
 Surface Leather::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,

@@ -21,9 +21,8 @@ struct Signature {
   };
   std::vector<std::string_view> parameters;
   std::vector<Choice> choices;
-  std::vector<std::string_view> jagged = {};   ///< those of the parameters that are (Parameter::jagged)
-  std::vector<std::string_view> places = {};   ///< those of the jagged ones that are (Parameter::place)
-  std::vector<std::string_view> factors = {};  ///< those of the parameters that are (Parameter::factor)
+  std::vector<std::string_view> jagged = {};  ///< those of the parameters that are (Parameter::jagged)
+  std::vector<std::string_view> places = {};  ///< those of the jagged ones that are (Parameter::place)
 };
 
 /// A procedural material: maps parameters and irregularities z to a surface. Implementations are

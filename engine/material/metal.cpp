@@ -9,10 +9,7 @@ namespace patina {
 
 Signature Metal::signature() {
   return {{"light", "f0_r", "f0_g", "f0_b", "roughx", "roughy", "fsigmax", "fsigmay", "fscale", "iSigma"},
-          {},
-          {},
-          {},
-          {"light", "f0_r", "f0_g", "f0_b"}};
+          {}};
 }
 
 Surface Metal::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

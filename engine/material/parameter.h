@@ -27,8 +27,6 @@ struct Parameter {
   std::optional<double> off = {};  ///< where what it scales is not there (off_values.h)
   bool jagged = false;  ///< where in a random map: a small step is another surface (LogDensity::jagged)
   bool place = false;   ///< jagged, and all its values are alike but for the irregularities that they show
-  bool factor =
-      false;  ///< multiplies light with other factors: a photo tells the product, not which is larger
 };
 
 /// A discrete parameter: a choice among named levels, all equally likely a priori. Every choice of today's

@@ -14,8 +14,7 @@ Signature Plaster::signature() {
            "shift_x", "shift_y", "iSigma"},
           {{"noise", Irregularities::kMapChoices}},
           {"scale", "shift_x", "shift_y"},
-          {"shift_x", "shift_y"},
-          {"light", "albedo_r", "albedo_g", "albedo_b"}};
+          {"shift_x", "shift_y"}};
 }
 
 Surface Plaster::surface(const ParameterTensors& p, std::span<const int> discrete, const Irregularities& z,

@@ -33,7 +33,6 @@ class PriorFile {
     for (Parameter& parameter : table.continuous) {
       parameter.jagged = std::ranges::count(signature.jagged, parameter.name) > 0;
       parameter.place = std::ranges::count(signature.places, parameter.name) > 0;
-      parameter.factor = std::ranges::count(signature.factors, parameter.name) > 0;
     }
     return table;
   }

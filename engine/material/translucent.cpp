@@ -36,9 +36,7 @@ at::Tensor glow(const Medium& medium, const at::Tensor& square_radius) {
 
 }  // namespace
 
-Signature Translucent::signature() {
-  return {{"light", "sigma_s", "sigma_a", "g", "iSigma"}, {}, {}, {}, {"light"}};
-}
+Signature Translucent::signature() { return {{"light", "sigma_s", "sigma_a", "g", "iSigma"}, {}}; }
 
 Surface Translucent::surface(const ParameterTensors& p, std::span<const int>, const Irregularities&,
                              const Capture& capture, int resolution) const {

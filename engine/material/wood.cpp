@@ -80,9 +80,7 @@ Signature Wood::signature() {
            "cut_angle", "rough",     "ew_rough",  "lw_height",     "iSigma"},
           {},
           // Where rings and streaks, a pixel or two wide, meet the pixels.
-          {"center_x", "center_y", "ring_size", "ssn_scale", "cut_angle"},
-          {},
-          {"light", "albedo_r", "albedo_g", "albedo_b"}};
+          {"center_x", "center_y", "ring_size", "ssn_scale", "cut_angle"}};
 }
 
 Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "engine/posterior/measure_photo_fit.h"
 #include "engine/sampling/map_search.h"
@@ -68,20 +67,6 @@ bool out_of_reach(const PhotoFit& fit) {
   return fit.distance > kFurthest;
 }
 
-/// Light and colours are factors: in their logarithms the ridge of one product is straight. Of 60 photos of
-/// leather, whose light may be anything, 90 % intervals held 82 to 85 % of the albedos, 77 to 80 % without,
-/// and 85 % of the log densities, 63 % without.
-LogParameters axes_of(const Posterior& posterior) {
-  std::vector<TruncatedNormal> priors;
-  std::vector<bool> factors;
-  for (const Eigen::Index i : posterior.informed()) {
-    const Parameter& parameter = posterior.free_parameter(i);
-    priors.push_back(parameter.prior);
-    factors.push_back(parameter.factor);
-  }
-  return {priors, factors};
-}
-
 /// Six for each coefficient of the regressions, on a constant and two scores a coordinate. Of 100 photos of
 /// wood, which has 23 coordinates, 90 % intervals held 82 % of the truths with 150 photos a round, and 86 %
 /// with 282 and shrunk correlations.
@@ -94,7 +79,6 @@ Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
   const Posterior& posterior = simulator.posterior;
   const auto informed = posterior.informed();
   const Eigen::VectorXd photo = posterior.photo_summary();
-  const LogParameters axes = axes_of(posterior);
   const int photos = photos_a_round(settings, std::ssize(informed));
   std::optional<Scores> taught;
   Region region = first.region;
@@ -104,7 +88,7 @@ Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
     result.photos += photos;
     const Eigen::VectorXd seen = taught ? Eigen::VectorXd(stacked(first.seen, (*taught)(photo))) : first.seen;
     result.likelihood =
-        RegressedLikelihood(region, simulated.offsets, scores_of(simulated, first, taught), seen, axes);
+        RegressedLikelihood(region, simulated.offsets, scores_of(simulated, first, taught), seen);
     Eigen::VectorXd start = Eigen::VectorXd::Zero(posterior.dimension());
     start(informed) = region.centre;
     approximate(posterior, start, result);

@@ -18,13 +18,10 @@ class LogParameters {
  public:
   LogParameters() = default;  ///< of none: coordinates stay what they are
   explicit LogParameters(const std::vector<TruncatedNormal>& priors);
-  /// @param taken  whose; the others' coordinates stay what they are
-  LogParameters(const std::vector<TruncatedNormal>& priors, std::vector<bool> taken);
 
   Eigen::VectorXd values(const Eigen::VectorXd& u) const;       ///< x
   Eigen::VectorXd derivatives(const Eigen::VectorXd& u) const;  ///< dx_i / du_i
 
-  bool empty() const { return priors_.empty(); }
   /// Whether they are of so many coordinates, or of none.
   bool fits(Eigen::Index dimension) const { return priors_.empty() || std::ssize(priors_) == dimension; }
   void serialise(Archive& archive);
@@ -33,7 +30,6 @@ class LogParameters {
   double offset(std::size_t i) const;
 
   std::vector<TruncatedNormal> priors_;
-  std::vector<bool> taken_;
   std::vector<PriorTransform> transforms_;
 };
 

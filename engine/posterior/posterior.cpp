@@ -192,10 +192,6 @@ Posterior Posterior::with(std::shared_ptr<const RegressedLikelihood> likelihood)
 
 Eigen::Index Posterior::dimension() const { return parts_->space.dimension(); }
 
-const Parameter& Posterior::free_parameter(Eigen::Index coordinate) const {
-  return table().continuous[parts_->space.free()[static_cast<std::size_t>(coordinate)]];
-}
-
 std::vector<TruncatedNormal> Posterior::free_priors() const {
   std::vector<TruncatedNormal> priors;
   for (const std::size_t i : parts_->space.free()) priors.push_back(table().continuous[i].prior);

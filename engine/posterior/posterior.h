@@ -102,9 +102,6 @@ class Posterior final : public LogDensity {
   /// All parameters, with the priors in force; fixed ones included.
   const ParameterTable& table() const;
 
-  /// The parameter of a continuous coordinate.
-  const Parameter& free_parameter(Eigen::Index coordinate) const;
-
   /// The priors of the continuous coordinates: of the parameters that are not fixed.
   std::vector<TruncatedNormal> free_priors() const;
 

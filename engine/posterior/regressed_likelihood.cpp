@@ -34,34 +34,19 @@ Eigen::MatrixXd covariance_of(const LocalRegression& of) {
          of.sd.asDiagonal();
 }
 
-/// The region whose mean and covariance are those of values.
-Region region_of(const Eigen::MatrixXd& values) {
-  const Eigen::VectorXd mean = values.rowwise().mean();
-  const Eigen::MatrixXd away = values.colwise() - mean;
-  return {mean, (away * away.transpose() / static_cast<double>(values.cols())).llt().matrixL()};
-}
-
 }  // namespace
 
 RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets,
-                                         const Eigen::MatrixXd& scores, const Eigen::VectorXd& observed,
-                                         LogParameters axes)
-    : axes_(std::move(axes)), region_(region) {
+                                         const Eigen::MatrixXd& scores, const Eigen::VectorXd& observed)
+    : region_(region) {
   assert(offsets.cols() >= 3 * (1 + scores.rows()));
-  Eigen::MatrixXd along = offsets;
-  if (!axes_.empty()) {
-    for (auto column : along.colwise()) column = axes_.values(region.place(column));
-    region_ = region_of(along);
-    for (auto column : along.colwise()) column = region_.offset(column);
-  }
-  const LocalRegression local = local_regression(along, scores, observed);
+  const LocalRegression local = local_regression(offsets, scores, observed);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_of(local));
   // No direction is known to the last digit, or less well than before the photo.
   const Eigen::VectorXd variances = solver.eigenvalues().cwiseMax(1e-8).cwiseMin(1.0);
-  const Eigen::MatrixXd& directions = solver.eigenvectors();
-  precision_ =
-      directions * (variances.cwiseInverse().array() - 1).matrix().asDiagonal() * directions.transpose();
-  pull_ = directions * variances.cwiseInverse().asDiagonal() * directions.transpose() * local.mean;
+  const Eigen::MatrixXd& axes = solver.eigenvectors();
+  precision_ = axes * (variances.cwiseInverse().array() - 1).matrix().asDiagonal() * axes.transpose();
+  pull_ = axes * variances.cwiseInverse().asDiagonal() * axes.transpose() * local.mean;
 }
 
 RegressedLikelihood RegressedLikelihood::widened(double times) const {
@@ -72,7 +57,7 @@ RegressedLikelihood RegressedLikelihood::widened(double times) const {
 }
 
 Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) const {
-  const Eigen::VectorXd v = region_.offset(axes_.values(coordinates));
+  const Eigen::VectorXd v = region_.offset(coordinates);
   const double radius = trusted_radius(v.size()), distance = v.norm();
   double misfit = v.dot(0.5 * precision_ * v - pull_);
   Eigen::VectorXd slope = precision_ * v - pull_;
@@ -80,20 +65,19 @@ Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) con
     misfit += 0.5 * (distance - radius) * (distance - radius);
     slope += (distance - radius) / distance * v;
   }
-  const Eigen::VectorXd by_axis = region_.factor.triangularView<Eigen::Lower>().transpose().solve(slope);
-  return {-misfit, -axes_.derivatives(coordinates).cwiseProduct(by_axis)};
+  return {-misfit, -region_.factor.triangularView<Eigen::Lower>().transpose().solve(slope)};
 }
 
 bool RegressedLikelihood::is_of(Eigen::Index coordinates) const {
   const bool sized = region_.centre.size() == coordinates && region_.factor.rows() == coordinates &&
                      region_.factor.cols() == coordinates && precision_.rows() == coordinates &&
                      precision_.cols() == coordinates && pull_.size() == coordinates;
-  return axes_.fits(coordinates) && sized && region_.centre.allFinite() && region_.factor.allFinite() &&
+  return sized && region_.centre.allFinite() && region_.factor.allFinite() &&
          (region_.factor.diagonal().array() > 0).all() && precision_.allFinite() && pull_.allFinite();
 }
 
 void RegressedLikelihood::serialise(Archive& archive) {
-  archive(axes_, region_.centre, region_.factor, precision_, pull_);
+  archive(region_.centre, region_.factor, precision_, pull_);
 }
 
 }  // namespace patina

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "engine/posterior/log_parameters.h"
 #include "engine/posterior/region.h"
 #include "engine/sampling/log_density.h"
 
@@ -29,10 +28,8 @@ class RegressedLikelihood {
 
   /// @param offsets   v of the simulated photos, coordinates x n   @param scores  theirs, scores x n
   /// @param observed  scores of the photo
-  /// @param axes      what is regressed in place of coordinates: v is then what their simulated values make
-  ///                  normal to second order
   RegressedLikelihood(const Region& region, const Eigen::MatrixXd& offsets, const Eigen::MatrixXd& scores,
-                      const Eigen::VectorXd& observed, LogParameters axes = {});
+                      const Eigen::VectorXd& observed);
 
   /// The same with errors of so many times the variance.
   RegressedLikelihood widened(double times) const;
@@ -46,8 +43,7 @@ class RegressedLikelihood {
   void serialise(Archive& archive);
 
  private:
-  LogParameters axes_;
-  Region region_;              ///< of the axes' values
+  Region region_;
   Eigen::MatrixXd precision_;  ///< P
   Eigen::VectorXd pull_;       ///< b
 };

@@ -86,22 +86,6 @@ TEST(RegressedLikelihood, HasTheGradientThatDifferencesHaveInsideTheSimulatedReg
   }
 }
 
-TEST(RegressedLikelihood, HasTheGradientThatDifferencesHaveWhereOneAxisIsALogarithm) {
-  Rng rng(13);
-  const ToySimulator toy = ToySimulator::correlated(rng);
-  const LogParameters axes({{1500, 500, 0, 5000}, {0.4, 0.3, 0, 1}}, {true, false});
-  const Eigen::MatrixXd places = normals(rng, 2, 100);
-  const RegressedLikelihood likelihood(prior_region(2), places, toy.photos(places, rng),
-                                       toy.photo(rng.normals(2), rng), axes);
-  const Eigen::Vector2d at(0.4, -0.3);
-  for (Eigen::Index i = 0; i < 2; ++i) {
-    const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(2, i);
-    const double slope =
-        (likelihood.evaluate(at + step).log_density - likelihood.evaluate(at - step).log_density) / 2e-5;
-    EXPECT_NEAR(likelihood.evaluate(at).gradient[i], slope, 1e-5 * (1 + std::abs(slope)));
-  }
-}
-
 TEST(RegressedLikelihood, DoesNotKnowWhatScoresDoNotTell) {
   // Twenty scores of nothing, and no more than a hundred photos that agree by chance.
   Rng rng(4);
@@ -192,46 +176,10 @@ TEST(RegressedLikelihood, WidenedFourTimesDoublesTheSdOfItsPosteriorUnderAFlatPr
   EXPECT_LT((before - 4 * after).norm(), 0.05 * before.norm());
 }
 
-/// How much of the posterior of a light and an albedo of which a photo tells the product, to 3 %, a
-/// likelihood puts elsewhere: the total variation distance on a grid, with the prior N(0, I).
-double misplaced(const LogParameters& truth, const RegressedLikelihood& likelihood, double seen) {
-  constexpr int kSide = 200;
-  Eigen::ArrayXXd exact(kSide, kSide), found(kSide, kSide);
-  for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j) {
-      const Eigen::Vector2d u = Eigen::Vector2d(i + 0.5, j + 0.5) * (8.0 / kSide) - Eigen::Vector2d(4, 4);
-      const double error = (truth.values(u).sum() - seen) / 0.03;
-      exact(i, j) = -0.5 * (error * error + u.squaredNorm());
-      found(i, j) = likelihood.evaluate(u).log_density - 0.5 * u.squaredNorm();
-    }
-  const auto shares = [](const Eigen::ArrayXXd& logs) -> Eigen::ArrayXXd {
-    const Eigen::ArrayXXd densities = (logs - logs.maxCoeff()).exp();
-    return densities / densities.sum();
-  };
-  return 0.5 * (shares(exact) - shares(found)).abs().sum();
-}
-
-TEST(RegressedLikelihood, OfAProductIsThatOfItsLogarithmsAndNotOfItsCoordinates) {
-  Rng rng(12);
-  const LogParameters logs({{1500, 500, 0, 5000}, {0.4, 0.3, 0, 1}});
-  const Eigen::MatrixXd places = normals(rng, 2, 3000);
-  Eigen::MatrixXd scores(1, places.cols());
-  for (Eigen::Index i = 0; i < places.cols(); ++i)
-    scores(0, i) = logs.values(places.col(i)).sum() + 0.03 * rng.normal();
-  const Eigen::VectorXd seen = Eigen::VectorXd::Constant(1, std::log(1500 * 0.4));
-  const RegressedLikelihood straight(prior_region(2), places, scores, seen, logs);
-  const RegressedLikelihood bent(prior_region(2), places, scores, seen);
-  EXPECT_LT(misplaced(logs, straight, seen[0]), 0.25);
-  EXPECT_GT(misplaced(logs, bent, seen[0]), 0.5);
-}
-
 TEST(RegressedLikelihood, IsTheSameFromItsArchive) {
   Rng rng(8);
   const ToySimulator toy = ToySimulator::correlated(rng);
-  const Eigen::MatrixXd places = normals(rng, 2, 100);
-  RegressedLikelihood likelihood(prior_region(2), places, toy.photos(places, rng),
-                                 toy.photo(rng.normals(2), rng),
-                                 {{{1500, 500, 0, 5000}, {0.4, 0.3, 0, 1}}, {true, false}});
+  RegressedLikelihood likelihood = likelihood_of(toy, 100, toy.photo(rng.normals(2), rng), rng);
   Archive written;
   written(likelihood);
   Archive read(written.take_bytes());
