@@ -21,12 +21,13 @@ struct Options {
   std::string crop;
   CaptureArguments capture;
   RankSettings rank;
-  bool quiet = false, json = false;
+  bool search = false, quiet = false, json = false;
 };
 
 int compare(const Options& options) {
   RankSettings settings = options.rank;
   settings.capture = options.capture.capture();
+  settings.glance = !options.search;
   std::optional<PhotoCrop> crop;
   if (!options.crop.empty()) crop = parse_crop(options.crop);
   const Photo photo = load_photo(options.photo, {.crop = crop});
@@ -43,28 +44,33 @@ int compare(const Options& options) {
 void add_compare(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<Options>();
   RankSettings& rank = options->rank;
-  CLI::App& command = *app.add_subcommand("compare", "Which material a photo shows: all ranked by evidence");
+  CLI::App& command = *app.add_subcommand("compare", "Which material a photo shows: all ranked");
   command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();
   command.add_option("--materials", rank.materials, "Those to compare (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',');
   command.add_option("--crop", options->crop, "Square of the photo to use, as in fit")->type_name("X,Y,SIDE");
   options->capture.add_to(command);
+  CLI::Option* search = command.add_flag("--search", options->search,
+                                         "By the best matches and the evidence of hand-set errors, in "
+                                         "minutes; without, by what a trained network "
+                                         "says, in a second, which was right more often");
   command.add_option("--summary", rank.summary, "What all are compared by")
       ->type_name("NAME")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(search);
   command.add_option("--network", rank.network, "Weights of the summary's network (default: bundled)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->needs(search);
   command.add_option("--resolution", rank.resolution, "Pixels a side at which renders are compared")
-      ->capture_default_str();
-  command.add_flag(
-      "--glance", rank.glance,
-      "Only what a trained network says, in a second; evidence, summary and searches are left out");
+      ->capture_default_str()
+      ->needs(search);
   command
       .add_option("--finalists", rank.finalists,
                   "So many of the best, if they are close, are measured again, with an error (0: none)")
       ->capture_default_str()
-      ->check(CLI::Range(0, 100));
+      ->check(CLI::Range(0, 100))
+      ->needs(search);
   command.add_option("--threads", rank.threads, "Threads (default: all)")->check(CLI::Range(1, 1024));
   command.add_option("--seed", rank.seed, "Seed of the searches and draws")
       ->capture_default_str()

@@ -22,7 +22,7 @@ MaterialChooser MaterialChooser::load(const std::filesystem::path& file) {
   MaterialChooser chooser;
   const auto json = nlohmann::json::parse(entry->second, nullptr, false);
   try {
-    if (json.at("format") != 1) refuse("it is of another version");
+    if (json.at("format") != 2) refuse("it is of another version");
     if (json.at("network_sha256") != RandomAccessFile(bundled_network(), kMaxNetworkBytes).sha256_hex())
       refuse("it was trained with another bundled network");
     chooser.materials_ = json.at("materials").get<std::vector<std::string>>();
@@ -34,8 +34,8 @@ MaterialChooser MaterialChooser::load(const std::filesystem::path& file) {
   return chooser;
 }
 
-Eigen::VectorXd MaterialChooser::log_probabilities(const Image& photo, const Capture& capture) const {
-  return softmax(network_(features_(photo, capture))).array().max(1e-300).log();
+Eigen::VectorXd MaterialChooser::log_probabilities(const Image& photo) const {
+  return softmax(network_(features_(photo))).array().max(1e-300).log();
 }
 
 std::filesystem::path bundled_chooser() { return data_directory() / "predictors" / "chooser.safetensors"; }

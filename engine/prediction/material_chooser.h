@@ -7,24 +7,21 @@
 #include <vector>
 
 #include "engine/image.h"
-#include "engine/material/capture.h"
 #include "engine/prediction/dense_network.h"
-#include "engine/prediction/photo_features.h"
+#include "engine/prediction/structure_features.h"
 
 namespace patina {
 
 /// A network that was shown renders of draws of every material's prior and learned which was which: its
-/// outputs are the log evidences of the materials for what it sees of a photo, up to a constant, with
-/// irregularities, capture and noise averaged over (amortised model comparison; Radev et al. 2021, "Amortized
-/// Bayesian model comparison with evidential deep learning"). Takes milliseconds. Safe to call from several
-/// threads.
+/// outputs are the log evidences of the materials for what it sees of a photo, its structure (not light,
+/// colour or size), up to a constant, with irregularities, capture and noise averaged over (amortised model
+/// comparison; Radev et al. 2021, "Amortized Bayesian model comparison with evidential deep learning"). Takes
+/// milliseconds. Safe to call from several threads.
 ///
-/// The file is a DenseNetwork's, an output a material. Metadata "patina_chooser" is JSON: {"format": 1,
+/// The file is a DenseNetwork's, an output a material. Metadata "patina_chooser" is JSON: {"format": 2,
 /// "network_sha256", "materials": [...]}.
 class MaterialChooser {
  public:
-  static constexpr int kSide = 128;  ///< pixels a side at which photos are looked at
-
   /// @throws UserError for a file that is not one, or was made with another bundled network
   static MaterialChooser load(const std::filesystem::path& file);
 
@@ -32,10 +29,10 @@ class MaterialChooser {
 
   /// Log probabilities of materials(), all equally likely beforehand.
   /// @param photo  square, 3 channels, sRGB in [0,1]
-  Eigen::VectorXd log_probabilities(const Image& photo, const Capture& capture) const;
+  Eigen::VectorXd log_probabilities(const Image& photo) const;
 
  private:
-  PhotoFeatures features_{kSide};
+  StructureFeatures features_;
   DenseNetwork network_;
   std::vector<std::string> materials_;
 };

@@ -3,43 +3,18 @@
 #include <ATen/core/grad_mode.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/io/photo.h"
+#include "engine/prediction/gram_features.h"
 #include "engine/summary/image_tensor.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
 namespace {
 
-constexpr Eigen::Index kMostCorrelated = 32;  // channels of a Gram matrix of which all correlations are taken
-constexpr float kFaint = 1e-6f;               // of an energy, where Gram matrices have norms about 1
-
-/// How many channels a Gram matrix has, from the size of its upper triangle.
-Eigen::Index channels_of(const SummaryBlock& block) {
-  return std::llround((std::sqrt(1 + 8.0 * static_cast<double>(block.size)) - 1) / 2);
-}
-
 Eigen::Index features_of(const SummaryBlock& block) {
-  if (block.scale != ErrorScale::relative) return block.size;
-  const Eigen::Index channels = channels_of(block);
-  return channels <= kMostCorrelated ? block.size : channels;
-}
-
-/// Of an upper triangle row by row, off-diagonal entries times sqrt 2: logarithms of the diagonal, then
-/// correlations row by row.
-void append_gram(const float* triangle, Eigen::Index channels, std::vector<float>& features) {
-  std::vector<float> energies;
-  for (Eigen::Index i = 0, at = 0; i < channels; at += channels - i, ++i)
-    energies.push_back(std::max(triangle[at], 0.0f) + kFaint);
-  for (const float energy : energies) features.push_back(std::log(energy));
-  if (channels > kMostCorrelated) return;
-  for (Eigen::Index i = 0, at = 0; i < channels; ++i, ++at)
-    for (Eigen::Index j = i + 1; j < channels; ++j) {
-      const float both = energies[static_cast<std::size_t>(i)] * energies[static_cast<std::size_t>(j)];
-      features.push_back(triangle[++at] / (std::numbers::sqrt2_v<float> * std::sqrt(both)));
-    }
+  return block.scale == ErrorScale::relative ? gram_features_of(block) : block.size;
 }
 
 }  // namespace
@@ -59,7 +34,7 @@ Eigen::VectorXf PhotoFeatures::operator()(const Image& photo, const Capture& cap
   std::vector<float> features;
   for (const SummaryBlock& block : summary_->blocks()) {
     if (block.scale == ErrorScale::relative)
-      append_gram(entry, channels_of(block), features);
+      append_gram(block, entry, features);
     else
       features.insert(features.end(), entry, entry + block.size);
     entry += block.size;

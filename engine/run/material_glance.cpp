@@ -39,7 +39,7 @@ MaterialRanking glance(const Image& photo, const RankSettings& settings) {
   {
     const Stopwatch stopwatch(seconds);
     const MaterialChooser chooser = MaterialChooser::load(bundled_chooser());
-    const Eigen::VectorXd log_p = chooser.log_probabilities(photo, settings.capture);
+    const Eigen::VectorXd log_p = chooser.log_probabilities(photo);
     double total = 0;
     for (const std::string& name : settings.materials) {
       const Prediction prediction = prediction_for(name, photo, settings.capture);

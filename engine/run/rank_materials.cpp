@@ -26,6 +26,7 @@ void check(const RankSettings& settings) {
                     " pixels a side or more: choose a larger resolution.");
   check_resolution(settings.resolution);
   check_capture(settings.capture);
+  for (const std::string& name : settings.materials) material_table(name);  // throws for one that is none
   for (auto name = settings.materials.begin(); name != settings.materials.end(); ++name)
     if (std::find(settings.materials.begin(), name, *name) != name)
       throw UserError("The material '" + *name + "' is named twice: name each once.");
@@ -139,8 +140,8 @@ std::optional<MaterialRanking> rank_materials(
   if (complete.glance) {
     if (!can_glance(complete.materials))
       throw UserError(
-          "One of the materials was not learned by the network that tells them apart: compare "
-          "without a glance, or train it again (resources/predictors).");
+          "One of the materials was not learned by the network that tells them apart: compare by searches, "
+          "or train it again (resources/predictors).");
     return glance(photo, complete);
   }
   RunControl control;

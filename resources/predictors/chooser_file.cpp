@@ -12,7 +12,7 @@ namespace patina {
 SafeTensors chooser_file(const DenseStudent& student) {
   SafeTensors file = student.to_file();
   file.metadata["patina_chooser"] = nlohmann::ordered_json{
-      {"format", 1},
+      {"format", 2},
       {"network_sha256", RandomAccessFile(bundled_network(), kMaxNetworkBytes).sha256_hex()},
       {"materials", material_names()}}.dump();
   return file;

@@ -3,14 +3,17 @@
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
 #include <ATen/core/grad_mode.h>
+#include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/empty.h>
+#include <ATen/ops/reflection_pad2d.h>
 #include <ATen/ops/tensor.h>
+#include <ATen/ops/upsample_bilinear2d.h>
 #include <torch/serialize.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,9 +23,9 @@
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
 #include "engine/posterior/prior_transform.h"
-#include "engine/prediction/material_chooser.h"
 #include "engine/prediction/photo_features.h"
 #include "engine/prediction/predictor.h"
+#include "engine/prediction/structure_features.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/rng.h"
 #include "resources/networks/image_variants.h"
@@ -55,12 +58,32 @@ ParameterValues values_of(const ParameterTable& table, const Eigen::VectorXd& co
   return values;
 }
 
+at::Tensor reduced(const at::Tensor& image, std::int64_t times) {
+  return times == 1 ? image : at::avg_pool2d(image.unsqueeze(0), {times, times}, {times, times}).squeeze(0);
+}
+
+/// Lighter here and darker there, as worn and dyed surfaces are and renders are not.
+at::Tensor mottled(const at::Tensor& image, Rng& rng) {
+  const std::int64_t side = image.size(1), patches = std::int64_t{4} << rng.below(5);
+  const double sd = 0.05 + 0.25 * rng.uniform();
+  std::vector<float> logarithms(static_cast<std::size_t>(patches * patches));
+  for (float& logarithm : logarithms) logarithm = static_cast<float>(sd * rng.normal());
+  const at::Tensor field = at::tensor(logarithms, at::kFloat).view({1, 1, patches, patches}).exp();
+  return (image * at::upsample_bilinear2d(field, {side, side}, /*align_corners=*/false).squeeze(0))
+      .clamp(0, 1);
+}
+
+/// As cameras do.
+at::Tensor sharpened(const at::Tensor& image, Rng& rng) {
+  const at::Tensor padded = at::reflection_pad2d(image.unsqueeze(0), {1, 1, 1, 1});
+  const at::Tensor blurred = at::avg_pool2d(padded, {3, 3}, {1, 1}).squeeze(0);
+  return (image + (0.2 + rng.uniform()) * (image - blurred)).clamp(0, 1);
+}
+
 at::Tensor changed(at::Tensor render, Rng& rng) {
-  std::array<std::int64_t, 3> colours{0, 1, 2};
-  std::shuffle(colours.begin(), colours.end(), rng);
-  render = render.index_select(0, at::tensor(colours, at::kLong));
   for (int i = 0; i < 2; ++i) render = vary(render, render.flip({1, 2}), rng);
-  return render;
+  if (rng.below(2) == 0) render = mottled(render, rng);
+  return rng.below(2) == 0 ? sharpened(render, rng) : render;
 }
 
 /// With noise, and rounded to 8 bits.
@@ -74,18 +97,36 @@ Image recorded(const at::Tensor& planes, Rng& rng) {
   return image;
 }
 
+/// How photos are taken and looked at, by those that tell parameters and those that tell materials.
+struct View {
+  int side;
+  int as_many_large;  ///< every so many-th photo has twice the pixels before it is reduced
+  Eigen::Index features;
+  std::function<Eigen::VectorXf(const Image&, const Capture&)> look;
+};
+
+View view_of_parameters() {
+  const PhotoFeatures features(Predictor::kSide);
+  return {Predictor::kSide, 4, features.size(), features};
+}
+
+View view_of_structure() {
+  const StructureFeatures features;
+  return {StructureFeatures::kSide, 2, features.size(),
+          [features](const Image& photo, const Capture&) { return features(photo); }};
+}
+
 }  // namespace
 
 SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
                                 bool varied) {
   const auto model = make_material(material);
-  const int looked_at = varied ? MaterialChooser::kSide : Predictor::kSide;
-  const PhotoFeatures features(looked_at);
+  const View view = varied ? view_of_structure() : view_of_parameters();
   std::vector<std::unique_ptr<Irregularities>> pool;
   for (std::uint64_t i = 0; i < kSurfaces; ++i)
     pool.push_back(std::make_unique<Irregularities>(kFirstSurface + kSurfaces * seed + i));
   const auto p = std::ssize(model->table().continuous), choices = std::ssize(model->table().discrete);
-  SimulatedPhotos photos{at::empty({count, features.size()}, at::kFloat), at::empty({count, p}, at::kFloat),
+  SimulatedPhotos photos{at::empty({count, view.features}, at::kFloat), at::empty({count, p}, at::kFloat),
                          at::empty({count, choices}, at::kLong)};
   const auto simulate = [&](std::size_t i) {
     const at::NoGradGuard no_grad;
@@ -97,13 +138,13 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     for (const DiscreteParameter& choice : table.discrete)
       levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
     const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
-    const int side = looked_at * (!varied && rng.below(4) == 0 ? 2 : 1);
+    const int side = view.side * (rng.below(view.as_many_large) == 0 ? 2 : 1);
     const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
                                            *pool[i % kSurfaces], capture, side);
     at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
-    if (varied) render = changed(render, rng);
+    if (varied) render = changed(reduced(render, side / view.side), rng);
     const Image photo = recorded(render, rng);
-    const Eigen::VectorXf seen = features(photo, capture);
+    const Eigen::VectorXf seen = view.look(photo, capture);
     std::ranges::copy(seen, photos.features.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * seen.size());
     std::ranges::copy(coordinates, photos.coordinates.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * p);
     std::ranges::copy(levels,

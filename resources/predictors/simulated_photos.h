@@ -10,7 +10,7 @@ namespace patina {
 
 /// Photos of draws from a material's prior: what a predictor sees, and what it is to tell.
 struct SimulatedPhotos {
-  at::Tensor features;     ///< [n, PhotoFeatures::size()] float32
+  at::Tensor features;     ///< [n, PhotoFeatures::size()] float32, or StructureFeatures::size()
   at::Tensor coordinates;  ///< [n, p] float32, in which the prior is N(0, I)
   at::Tensor levels;       ///< [n, choices] int64
 };
@@ -18,8 +18,8 @@ struct SimulatedPhotos {
 /// Each photo has a sample's side of 4 to 60 cm and a camera of its own, irregularities from a pool of
 /// sixteen (of which a material's places show it ever another piece), noise, and 8 bits. Every other one is
 /// taken at twice the pixels and reduced, as a photo is.
-/// @param varied   each changed twice at random, as a photo differs from a render (image_variants.h), and its
-///                 colours swapped: to tell materials apart by their structure; all at MaterialChooser::kSide
+/// @param varied   what a chooser sees: each changed at random as a photo differs from a render
+///                 (image_variants.h), mottled, sharpened, and every second one reduced; structure alone
 /// @param seed     of everything; the pool's too, so that no two seeds share irregularities
 /// @param threads  the photos do not depend on it
 SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,

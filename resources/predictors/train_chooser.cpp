@@ -27,9 +27,9 @@ namespace {
 
 struct Options {
   std::filesystem::path out, data;
-  std::int64_t hidden = 64, held_back = 3000;
-  int photos = 5000, threads = 2;
-  TrainingSettings training{.epochs = 20};
+  std::int64_t hidden = 64, held_back = 1000;
+  int photos = 1500, threads = 2;
+  TrainingSettings training{.epochs = 20, .noise = 0.3};
 };
 
 Options parse(int argc, char** argv, CLI::App& app) {

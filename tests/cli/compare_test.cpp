@@ -7,8 +7,8 @@ namespace {
 class Compare : public CliTest {
  protected:
   std::vector<std::string> quick() const {
-    return {"compare", photo(),       "--materials", "translucent,bump", "--summary", "means", "--resolution",
-            "32",      "--finalists", "0",           "--quiet"};
+    return {"compare",      photo(), "--search",    "--materials", "translucent,bump", "--summary", "means",
+            "--resolution", "32",    "--finalists", "0",           "--quiet"};
   }
 };
 
@@ -30,19 +30,25 @@ TEST_F(Compare, RanksInBothFormsAlike) {
   EXPECT_NE(text.find(json["sentence"].get<std::string>()), std::string::npos);
 }
 
-TEST_F(Compare, GlancesWithoutASearch) {
-  const auto glance = json({"compare", photo(), "--glance", "--json", "--quiet"});
+TEST_F(Compare, GlancesUnlessASearchIsAskedFor) {
+  const auto glance = json({"compare", photo(), "--json", "--quiet"});
   EXPECT_EQ(glance["summary"], "glance");
   EXPECT_GT(glance["materials"].size(), 2u);
   EXPECT_TRUE(glance["materials"][0]["misfit"].is_null());
+  const Finished searched = run({"compare", photo(), "--finalists", "2"});
+  EXPECT_EQ(searched.status, 2) << "what only a search heeds";
+  EXPECT_NE(searched.err.find("--search"), std::string::npos) << searched.err;
 }
 
 TEST_F(Compare, RefusesWithTheReasonAndStatusTwo) {
   std::vector<std::string> arguments = quick();
-  arguments[3] = "bump,cheese";
-  const Finished unknown = run(arguments);
-  EXPECT_EQ(unknown.status, 2);
-  EXPECT_NE(unknown.err.find("cheese"), std::string::npos) << unknown.err;
+  arguments[4] = "bump,cheese";
+  for (const auto& asked :
+       {arguments, std::vector<std::string>{"compare", photo(), "--materials", "cheese"}}) {
+    const Finished unknown = run(asked);
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("cheese"), std::string::npos) << unknown.err;
+  }
   EXPECT_EQ(run({"compare", path("absent.png")}).status, 2);
   EXPECT_EQ(run({"render", "--material", "auto", "--out", path("x.png")}).status, 2) << "fit alone chooses";
 }

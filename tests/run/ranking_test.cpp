@@ -79,12 +79,12 @@ class RankMaterials : public RunTest {
   }
 
   /// Of the material bump, and red: what no grey medium can be.
-  static Image red_bump() {
+  static Image red_bump(int side = 48) {
     const Renderer renderer("bump", 2, Capture{});
     ParameterValues values = prior_location(renderer.table());
     values.continuous[*renderer.table().find_continuous("albedo_r")] = 0.7;
     values.continuous[*renderer.table().find_continuous("albedo_g")] = 0.1;
-    return renderer.render(values, 48);
+    return renderer.render(values, side);
   }
 };
 
@@ -129,7 +129,8 @@ TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
 TEST_F(RankMaterials, glances_at_all_of_them_in_no_time_and_leaves_out_what_takes_a_search) {
   RankSettings settings;
   settings.glance = true;
-  const auto all = rank_materials(red_bump(), settings);
+  const Image photo = red_bump(256);
+  const auto all = rank_materials(photo, settings);
   ASSERT_TRUE(all);
   EXPECT_EQ(all->materials.size(), material_names().size());
   EXPECT_EQ(all->materials.front().material, "bump");
@@ -142,7 +143,7 @@ TEST_F(RankMaterials, glances_at_all_of_them_in_no_time_and_leaves_out_what_take
   EXPECT_NEAR(total, 1, 1e-9);
   EXPECT_NE(all->sentence.find("bump"), std::string::npos);
   settings.materials = {"wood", "metal"};
-  EXPECT_EQ(rank_materials(red_bump(), settings)->materials.size(), 2u);
+  EXPECT_EQ(rank_materials(photo, settings)->materials.size(), 2u);
 }
 
 TEST(Ranking, a_run_that_chooses_for_itself_glances) {
