@@ -158,6 +158,13 @@ Case tinted(const std::string& material, double r, double g, double b) {
   return made;
 }
 
+/// A render exposed to so many times the light, which is what `light` says of such a photo.
+Case exposed_to(const std::string& material, double times) {
+  Case made = spoiled(material, [=](const Image& photo) { return exposed(photo, times, times, times); });
+  made.truth.at("light") *= times;
+  return made;
+}
+
 /// A part of a photo that shows more of the same surface, under the same light.
 Case part_of_wider(const std::string& material, const Spoil& part) {
   Case made = render_case(material, unchanged);
@@ -174,8 +181,8 @@ std::vector<Scenario> photo_scenarios(const std::string& m) {
   const auto wider = [&](const char* name, const char* what, const Spoil& part) {
     return photo_scenario(name, what, [=] { return part_of_wider(m, part); });
   };
-  const auto exposure = [](double gain) {
-    return [=](const Image& photo) { return exposed(photo, gain, gain, gain); };
+  const auto light = [&](const char* name, const char* what, double times) {
+    return photo_scenario(name, what, [=] { return exposed_to(m, times); });
   };
   return {
       photo_scenario("photo", "a photo that nothing is wrong with",
@@ -188,9 +195,9 @@ std::vector<Scenario> photo_scenarios(const std::string& m) {
                      [=] {
                        return render_case(m, lowest({"fscale", "height", "fsigma"}));
                      }),
-      spoil("black", "a photo in the dark", exposure(0.001)),
-      spoil("underexposed", "a twentieth of the light", exposure(0.05)),
-      spoil("saturated", "thirty times the light", exposure(30)),
+      light("black", "a photo in the dark", 0.001),
+      light("underexposed", "a twentieth of the light", 0.05),
+      light("saturated", "thirty times the light", 30),
       photo_scenario("constant", "one grey, nothing else",
                      [=] {
                        return Case{m, grey(kPhotoSide, 0.5F), {}};
