@@ -51,10 +51,9 @@ void add_compare(CLI::App& app, Command& chosen) {
       ->delimiter(',');
   command.add_option("--crop", options->crop, "Square of the photo to use, as in fit")->type_name("X,Y,SIDE");
   options->capture.add_to(command);
-  CLI::Option* search = command.add_flag("--search", options->search,
-                                         "By the best matches and the evidence of hand-set errors, in "
-                                         "minutes; without, by what a trained network "
-                                         "says, in a second, which was right more often");
+  CLI::Option* search = command.add_flag(
+      "--search", options->search,
+      "By best matches and their evidence, in minutes (default: by what a trained network says at a glance)");
   command.add_option("--summary", rank.summary, "What all are compared by")
       ->type_name("NAME")
       ->capture_default_str()

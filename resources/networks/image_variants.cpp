@@ -94,4 +94,17 @@ at::Tensor vary(const at::Tensor& image, const at::Tensor& other, Rng& rng) {
   return variant(image, other, rng).clamp(0, 1).contiguous();
 }
 
+at::Tensor mottled(const at::Tensor& image, Rng& rng) {
+  const std::int64_t patches = std::int64_t{4} << rng.below(5);
+  const double sd = between(0.05, 0.3, rng);
+  std::vector<float> logarithms(static_cast<std::size_t>(patches * patches));
+  for (float& logarithm : logarithms) logarithm = static_cast<float>(sd * rng.normal());
+  const at::Tensor field = at::tensor(logarithms, at::kFloat).view({1, patches, patches}).exp();
+  return (image * to_side(field, image.size(1))).clamp(0, 1);
+}
+
+at::Tensor sharpened(const at::Tensor& image, Rng& rng) {
+  return (image + between(0.2, 1.2, rng) * (image - box_mean(image, 1))).clamp(0, 1);
+}
+
 }  // namespace patina

@@ -12,4 +12,10 @@ namespace patina {
 /// range
 at::Tensor vary(const at::Tensor& image, const at::Tensor& other, Rng& rng);
 
+/// Lighter here and darker there, as worn and dyed surfaces are and renders are not.
+at::Tensor mottled(const at::Tensor& image, Rng& rng);
+
+/// As cameras do.
+at::Tensor sharpened(const at::Tensor& image, Rng& rng);
+
 }  // namespace patina

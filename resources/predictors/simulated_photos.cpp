@@ -5,9 +5,7 @@
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/empty.h>
-#include <ATen/ops/reflection_pad2d.h>
 #include <ATen/ops/tensor.h>
-#include <ATen/ops/upsample_bilinear2d.h>
 #include <torch/serialize.h>
 
 #include <algorithm>
@@ -62,24 +60,6 @@ at::Tensor reduced(const at::Tensor& image, std::int64_t times) {
   return times == 1 ? image : at::avg_pool2d(image.unsqueeze(0), {times, times}, {times, times}).squeeze(0);
 }
 
-/// Lighter here and darker there, as worn and dyed surfaces are and renders are not.
-at::Tensor mottled(const at::Tensor& image, Rng& rng) {
-  const std::int64_t side = image.size(1), patches = std::int64_t{4} << rng.below(5);
-  const double sd = 0.05 + 0.25 * rng.uniform();
-  std::vector<float> logarithms(static_cast<std::size_t>(patches * patches));
-  for (float& logarithm : logarithms) logarithm = static_cast<float>(sd * rng.normal());
-  const at::Tensor field = at::tensor(logarithms, at::kFloat).view({1, 1, patches, patches}).exp();
-  return (image * at::upsample_bilinear2d(field, {side, side}, /*align_corners=*/false).squeeze(0))
-      .clamp(0, 1);
-}
-
-/// As cameras do.
-at::Tensor sharpened(const at::Tensor& image, Rng& rng) {
-  const at::Tensor padded = at::reflection_pad2d(image.unsqueeze(0), {1, 1, 1, 1});
-  const at::Tensor blurred = at::avg_pool2d(padded, {3, 3}, {1, 1}).squeeze(0);
-  return (image + (0.2 + rng.uniform()) * (image - blurred)).clamp(0, 1);
-}
-
 at::Tensor changed(at::Tensor render, Rng& rng) {
   for (int i = 0; i < 2; ++i) render = vary(render, render.flip({1, 2}), rng);
   if (rng.below(2) == 0) render = mottled(render, rng);
@@ -97,10 +77,10 @@ Image recorded(const at::Tensor& planes, Rng& rng) {
   return image;
 }
 
-/// How photos are taken and looked at, by those that tell parameters and those that tell materials.
+/// How renders become photos and are looked at, by those that tell parameters and those that tell materials.
 struct View {
   int side;
-  int as_many_large;  ///< every so many-th photo has twice the pixels before it is reduced
+  int one_in;  ///< so many is rendered at twice the pixels and reduced
   Eigen::Index features;
   std::function<Eigen::VectorXf(const Image&, const Capture&)> look;
 };
@@ -138,7 +118,7 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     for (const DiscreteParameter& choice : table.discrete)
       levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
     const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
-    const int side = view.side * (rng.below(view.as_many_large) == 0 ? 2 : 1);
+    const int side = view.side * (rng.below(view.one_in) == 0 ? 2 : 1);
     const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
                                            *pool[i % kSurfaces], capture, side);
     at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);

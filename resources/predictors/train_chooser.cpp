@@ -27,7 +27,7 @@ namespace {
 
 struct Options {
   std::filesystem::path out, data;
-  std::int64_t hidden = 64, held_back = 1000;
+  std::int64_t hidden = 64, held_back = 1500;
   int photos = 1500, threads = 2;
   TrainingSettings training{.epochs = 20, .noise = 0.3};
 };
