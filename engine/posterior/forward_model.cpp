@@ -1,6 +1,7 @@
 #include "engine/posterior/forward_model.h"
 
 #include <ATen/core/grad_mode.h>
+#include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/clamp.h>
 #include <ATen/ops/matmul.h>
 #include <ATen/ops/tensor.h>
@@ -37,8 +38,10 @@ ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared
 
 at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
                                            const std::vector<int>& discrete, const Irregularities& z) const {
-  const Surface surface = material->surface(parameters, discrete, z, capture, resolution);
-  return (*summary)(photograph(surface, capture, resolution, DisplayCurve::srgb));
+  const int times = material->oversampling(), side = times * resolution;
+  const at::Tensor image = photograph(material->surface(parameters, discrete, z, capture, side), capture,
+                                      side, DisplayCurve::srgb);
+  return (*summary)(times == 1 ? image : at::avg_pool2d(image.unsqueeze(0), {times, times}).squeeze(0));
 }
 
 Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,

@@ -23,7 +23,8 @@ struct ForwardModel {
   ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
                const Capture& capture, int resolution);
 
-  /// Of the render, with its graph. @return [p] float32
+  /// Of the render, with its graph; oversampled as its material asks for, and averaged as photos are when
+  /// they are resized, in display values. @return [p] float32
   at::Tensor summary_of_render(const ParameterTensors& parameters, const std::vector<int>& discrete,
                                const Irregularities& z) const;
 

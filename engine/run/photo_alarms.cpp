@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,47 @@ std::optional<Alarm> burnt_out(const Image& photo) {
   return Alarm{"burnt out", percent(share) +
                                 " of the photo is as bright as it can be, and what differs there "
                                 "is lost. Take it with a shorter exposure."};
+}
+
+/// Pixels of each 8-bit level of a channel.
+std::array<int, 256> histogram(const Image& photo, int channel) {
+  std::array<int, 256> counts{};
+  for (int row = 0; row < photo.height; ++row)
+    for (int column = 0; column < photo.width; ++column)
+      ++counts[static_cast<std::size_t>(
+          std::clamp(std::lround(255 * photo.at(row, column, channel)), 0L, 255L))];
+  return counts;
+}
+
+/// The share of pixels that a channel has in its brightest levels, if so many more are there than in those
+/// below; 0 where it reaches white, or hardly leaves black. A few pixels may be brighter: JPEG has ringing.
+double plateau(const std::array<int, 256>& counts) {
+  constexpr int kWhite = 250, kBlack = 64, kTop = 4, kBelow = 8;  // levels
+  constexpr double kBrighter = 0.002, kSteep = 5;
+  double total = 0;
+  for (const int count : counts) total += count;
+  int top = 255;
+  for (double above = counts[255]; top > 0 && above < kBrighter * total;
+       above += counts[static_cast<std::size_t>(top)])
+    --top;
+  if (top > kWhite || top < kBlack) return 0;
+  const auto sum = [&](int from, int to) {
+    return std::accumulate(counts.begin() + from, counts.begin() + to, 0.0);
+  };
+  const double share = sum(top - kTop + 1, 256), below = sum(top - kTop + 1 - kBelow, top - kTop + 1);
+  return share > kSteep * below * kTop / kBelow ? share / total : 0;
+}
+
+/// Light that was lost in a highlight and darkened afterwards, in some channel or in all.
+std::optional<Alarm> clipped(const Image& photo) {
+  constexpr double kMost = 0.02;
+  double share = 0;
+  for (int channel = 0; channel < 3; ++channel) share = std::max(share, plateau(histogram(photo, channel)));
+  if (share < kMost) return std::nullopt;
+  return Alarm{"clipped",
+               percent(share) +
+                   " of the photo is cut off at one brightness below white: it was burnt out there, and then "
+                   "darkened or tinted. Use it as the camera took it, or with a shorter exposure."};
 }
 
 /// Mean luminance of kCells x kCells cells.
@@ -113,7 +155,7 @@ std::optional<Alarm> off_centre(const Image& photo) {
 Alarms photo_alarms(const Image& photo) {
   if (const auto alarm = blank(photo)) return {*alarm};
   Alarms alarms;
-  for (const auto& alarm : {dark(photo), burnt_out(photo), off_centre(photo)})
+  for (const auto& alarm : {dark(photo), burnt_out(photo), clipped(photo), off_centre(photo)})
     if (alarm) alarms.push_back(*alarm);
   return alarms;
 }

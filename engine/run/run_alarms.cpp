@@ -14,7 +14,7 @@
 
 namespace patina {
 
-Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best,
+Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best, const Image& finer,
                   const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit) {
   Alarms alarms = photo_alarms(photo);
   const double noise =
@@ -25,6 +25,7 @@ Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position
   if (far) alarms.push_back(*far);
   if (const auto alarm = strain_alarm(posterior.table(), posterior.values(best), fixed))
     alarms.push_back(*alarm);
+  if (const auto alarm = coarse_alarm(posterior, best, finer)) alarms.push_back(*alarm);
   return alarms;
 }
 
@@ -72,6 +73,17 @@ std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterVa
   return Alarm{"strained", "The best match needs parameters that the prior calls unlikely, most of all " +
                                of +
                                ": give them a wider --prior if they can be so, or try another material."};
+}
+
+std::optional<Alarm> coarse_alarm(const Posterior& posterior, const Position& best, const Image& finer) {
+  const Eigen::VectorXd seen = posterior.simulated_summary(finer).cwiseQuotient(posterior.hand_set_errors());
+  const std::vector<BlockMisfit> misfits = posterior.given(seen).misfit(best);
+  const auto worst = std::ranges::max_element(misfits, {}, &BlockMisfit::in_errors);
+  if (worst == misfits.end() || !(worst->in_errors > kCoarse)) return std::nullopt;
+  return Alarm{
+      "coarse",
+      "The best match looks otherwise at the pixels of this run than at more of them: its highlight or its "
+      "grain is too fine for them, and intervals may miss the truth. Look at more with --resolution."};
 }
 
 }  // namespace patina

@@ -13,14 +13,16 @@
 namespace patina {
 
 /// What a run can say against itself before its first draw:
-///   "dark", "burnt out", "blank", "off centre"  see photo_alarms()
+///   "dark", "burnt out", "clipped", "blank", "off centre"  see photo_alarms()
 ///   "noise"   see noise_alarm()
 ///   "misfit"  see misfit_alarm()
 ///   "strained"  see strain_alarm()
+///   "coarse"  see coarse_alarm()
 /// Takes kNoiseRepeats evaluations.
+/// @param finer  the best match at more pixels than the run's
 /// @param fixed  parameters that are held, by name
 /// @param fit    of calibrated errors: "misfit" is then fit_alarm()'s, too
-Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best,
+Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best, const Image& finer,
                   const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit);
 
 constexpr int kNoiseRepeats = 20;
@@ -43,5 +45,13 @@ std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterVa
                                   const std::map<std::string, double>& fixed);
 
 constexpr double kUnlikely = 1e-3;
+
+/// The best match looks otherwise at the run's pixels than at more of them, by more than kCoarse times the
+/// error that the model is granted: a photo, whose pixels are means over their area, is then compared with a
+/// highlight or grain that falls between the pixels of a render.
+/// @param finer  the best match at more pixels
+std::optional<Alarm> coarse_alarm(const Posterior& posterior, const Position& best, const Image& finer);
+
+constexpr double kCoarse = 1;
 
 }  // namespace patina

@@ -1,5 +1,6 @@
 #include "engine/run/sampler_run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -10,6 +11,7 @@
 #include "engine/io/image_file.h"
 #include "engine/io/params_json.h"
 #include "engine/material/registry.h"
+#include "engine/material/renderer.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
@@ -89,8 +91,8 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   if (opening == Opening::fresh) check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
-  posteriors_.push_back(std::make_unique<Posterior>(
-      search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
+  posteriors_.push_back(
+      std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   check_free_parameters(*posteriors_.front());
   emulates_ = emulates(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
@@ -187,13 +189,20 @@ void SamplerRun::coordinate() noexcept {
 
 void SamplerRun::run_to_the_end() {
   const ModeFound found = find_or_recall();
-  manifest_.alarms =
-      run_alarms(photo_, *posteriors_.back(), found.mode.position, settings_.fixed, manifest_.photo_fit);
+  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
+                                finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.kernel = kernel_in_use(settings_, found.emulator.has_value());
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(found);
+}
+
+Image SamplerRun::finer_render(const Position& position) const {
+  constexpr int kFiner = 4, kMostPixels = 4096;
+  const Renderer renderer(settings_.material, settings_.z_seed, settings_.capture);
+  return renderer.render(posteriors_.back()->values(position),
+                         std::min(kFiner * settings_.resolution, kMostPixels));
 }
 
 void SamplerRun::enter(RunPhase phase, const std::string& message) {

@@ -62,6 +62,7 @@ class SamplerRun final : public DrawSource {
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
+  Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
   void sample(const ModeFound& found);
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;

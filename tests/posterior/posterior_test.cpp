@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/error.h"
+#include "engine/material/material.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/sampling/rng.h"
@@ -16,9 +17,24 @@ namespace {
 
 constexpr int kResolution = 64;
 
-Image synthetic_photo(const std::string& material, std::uint64_t z_seed) {
+/// Means of blocks of `side` x `side` pixels.
+Image block_means(const Image& image, int side) {
+  Image means(image.width / side, image.height / side, 3);
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      for (int c = 0; c < 3; ++c)
+        means.at(row / side, column / side, c) += image.at(row, column, c) / static_cast<float>(side * side);
+  return means;
+}
+
+/// As a sensor sees the middle of the prior, each pixel the mean of `times` x `times` points.
+Image sensed(const std::string& material, std::uint64_t z_seed, int resolution, int times) {
   const Renderer renderer(material, z_seed, Capture{});
-  return renderer.render(prior_location(renderer.table()), kResolution);
+  return block_means(renderer.render(prior_location(renderer.table()), times * resolution), times);
+}
+
+Image synthetic_photo(const std::string& material, std::uint64_t z_seed) {
+  return sensed(material, z_seed, kResolution, make_material(material)->oversampling());
 }
 
 PosteriorSettings settings_for(const std::string& material) {
@@ -123,6 +139,22 @@ TEST_P(EveryMaterial, RecoversItsOwnRenderExactlyAtTheTruthByEverySummary) {
     EXPECT_LT(away.log_density, -0.5 * at.continuous.squaredNorm() - 1) << summary;
     EXPECT_TRUE(away.gradient.allFinite()) << summary;
   }
+}
+
+TEST_P(EveryMaterial, IsOversampledWhereThePixelsMeansAreFarFromTheirMiddles) {
+  PosteriorSettings settings;  // at the resolution of a run
+  settings.material = GetParam();
+  settings.summary = "means";
+  const Posterior posterior(settings, synthetic_photo(GetParam(), 2));
+  const auto means = [&](int times) -> Eigen::VectorXd {
+    return posterior.simulated_summary(sensed(GetParam(), 2, settings.resolution, times));
+  };
+  const Eigen::VectorXd truth = means(8);
+  const auto off = [&](int times) { return 255 * (means(times) - truth).cwiseAbs().mean(); };  // levels
+  const int oversampling = make_material(GetParam())->oversampling();
+  constexpr double kFar = 3;  // levels: half of what the error model grants a region's mean
+  EXPECT_EQ(off(1) > kFar, oversampling > 1) << off(1);
+  if (oversampling > 1) EXPECT_LT(off(oversampling), off(1) / 2);
 }
 
 TEST_P(EveryMaterial, ValuesAndPositionsAreInverse) {

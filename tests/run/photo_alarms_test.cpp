@@ -46,6 +46,21 @@ TEST(PhotoAlarms, black_and_burnt_out_photos_are_told) {
   EXPECT_EQ(names_of(highlight(0, 0, 1.4)), "") << "a clipped highlight is usual";
 }
 
+Image times(Image image, float red, float green, float blue) {
+  const float by[] = {red, green, blue};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = std::min(1.0F, by[i % 3] * image.pixels[i]);
+  return image;
+}
+
+TEST(PhotoAlarms, a_highlight_that_was_clipped_and_tinted_afterwards_is_told) {
+  const Image burnt = highlight(0, 0, 1.6);
+  EXPECT_EQ(names_of(burnt), "");
+  EXPECT_EQ(names_of(times(burnt, 1, 1, 0.7F)), "clipped;");
+  EXPECT_EQ(names_of(times(burnt, 0.8F, 0.8F, 0.8F)), "clipped;");
+  EXPECT_EQ(names_of(times(highlight(0, 0), 1, 1, 0.7F)), "") << "tinted, but never clipped";
+}
+
 TEST(PhotoAlarms, a_photo_of_one_value_is_blank_whatever_the_value) {
   for (const float value : {0.0F, 0.5F, 1.0F}) {
     Image image(64, 64, 3);

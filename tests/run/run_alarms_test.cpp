@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/material/renderer.h"
 #include "tests/run/odd_photos.h"
 #include "tests/run/run_fixture.h"
 
@@ -56,6 +57,19 @@ TEST(RunAlarms, a_match_that_the_prior_calls_unlikely_is_told_with_its_most_unli
   EXPECT_FALSE(strain_alarm({}, {}, {}));
 }
 
+TEST(RunAlarms, a_match_that_more_pixels_would_see_otherwise_is_told) {
+  const Renderer renderer("bump", 1, Capture{});
+  const ParameterValues values = prior_location(renderer.table());
+  const auto told = [&](int resolution) {
+    PosteriorSettings settings;
+    settings.resolution = resolution;
+    const Posterior posterior(settings, renderer.render(values, resolution));
+    return coarse_alarm(posterior, posterior.position(values), renderer.render(values, 2048)).has_value();
+  };
+  EXPECT_TRUE(told(32)) << "its bumps fall between the pixels";
+  EXPECT_FALSE(told(512));
+}
+
 class RunAlarmsOfARun : public RunTest {
  protected:
   /// The alarms of a run on an image, live and as read from its directory.
@@ -68,8 +82,10 @@ class RunAlarmsOfARun : public RunTest {
   }
 };
 
-TEST_F(RunAlarmsOfARun, a_render_of_the_material_itself_raises_none) {
-  EXPECT_TRUE(alarms_of(photo().image).empty());
+TEST_F(RunAlarmsOfARun, a_render_of_the_material_itself_raises_none_but_that_its_pixels_are_coarse) {
+  const Alarms alarms = alarms_of(photo().image);
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms.front().name, "coarse");
 }
 
 TEST_F(RunAlarmsOfARun, a_green_hole_in_white_is_far_from_any_match_and_the_directory_says_so) {
