@@ -36,8 +36,9 @@ class Material {
   /// What of its surface repeats. Tiling::map: it has the parameters that whole_period() needs.
   virtual Tiling tiling() const = 0;
 
-  /// Pixels a side to render for each that is compared with a photo, whose pixels are means over their area:
-  /// above 1 where normals turn, and highlights with them, within a pixel of the sizes that are usual.
+  /// Pixels a side, 1 or 2, to render for each that is compared with a photo, whose pixels are means over
+  /// their area: above 1 where normals turn, and highlights with them, within a pixel of the sizes that are
+  /// usual.
   virtual int oversampling() const { return 1; }
 
   /// @param parameters  as many as table().continuous, in parameter units

@@ -109,6 +109,11 @@ Planes planes_of(const at::Tensor& image) {
   return {data, data + pixels, data + 2 * pixels};
 }
 
+ConstPlanes const_planes_of(const at::Tensor& image) {
+  const Planes planes = planes_of(image);
+  return {planes[0], planes[1], planes[2]};
+}
+
 /// Calls f(block, begin, end) for each block of pixels, on all of the thread's tensor threads.
 template <class F>
 void over_blocks(std::int64_t pixels, const F& f) {
@@ -184,7 +189,9 @@ struct Photograph : torch::autograd::Function<Photograph> {
     over_blocks(resolution * resolution, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
       shade_pixels(laid.problem, begin, end, planes);
     });
-    context->save_for_backward(tensors);
+    variable_list kept = tensors;
+    kept.push_back(image);
+    context->save_for_backward(kept);
     context->saved_data["lobes"] = lobes;
     context->saved_data["size_cm"] = size_cm;
     context->saved_data["camera_cm"] = camera_cm;
@@ -195,13 +202,15 @@ struct Photograph : torch::autograd::Function<Photograph> {
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     auto& saved = context->saved_data;
-    const variable_list tensors = context->get_saved_variables();
+    variable_list tensors = context->get_saved_variables();
+    const at::Tensor image = tensors.back();
+    tensors.pop_back();
     const CaptureView view =
         view_of(saved["size_cm"].toDouble(), saved["camera_cm"].toDouble(), saved["resolution"].toInt());
     const Laid laid = lay_out(tensors, lobes_of(saved["lobes"].toIntVector()), view,
                               static_cast<DisplayCurve>(saved["curve"].toInt()));
     const at::Tensor image_gradient = outputs.front().contiguous();
-    const Planes planes = planes_of(image_gradient);
+    const ConstPlanes values = const_planes_of(image), by_values = const_planes_of(image_gradient);
 
     InputGradients gradients(*context, tensors, laid);
     const std::int64_t pixels = view.square_radius.numel(), blocks = (pixels + kBlock - 1) / kBlock;
@@ -211,7 +220,7 @@ struct Photograph : torch::autograd::Function<Photograph> {
     over_blocks(pixels, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
       std::vector<double>& own = sums[static_cast<std::size_t>(block)];
       ShadingGradient gradient = gradients.block(own);
-      shade_pixels_backward(laid.problem, begin, end, {planes[0], planes[1], planes[2]}, gradient);
+      shade_pixels_backward(laid.problem, begin, end, values, by_values, gradient);
       own[fields] = gradient.light;
       own[fields + 1] = gradient.vignette_sigma;
     });

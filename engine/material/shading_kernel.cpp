@@ -107,19 +107,31 @@ PATINA_INLINE LobeShape shape(const Pixels& pixels, const LobeFields& lobe, cons
   return anisotropic_shape(pixels, lobe, cosine);
 }
 
-/// A display value and its slope.
-struct Displayed {
-  Lanes value, slope;
+struct CurvePower {
+  float exponent, gain, offset;
 };
 
-PATINA_INLINE Displayed displayed(const Lanes& radiance, DisplayCurve curve) {
+PATINA_INLINE CurvePower power_of(DisplayCurve curve) {
+  return curve == DisplayCurve::srgb ? CurvePower{1 / 2.4f, 1.055f, 0.055f} : CurvePower{1 / 2.2f, 1, 0};
+}
+
+constexpr float kSrgbLinear = 0.0031308f, kSrgbSlope = 12.92f;
+
+PATINA_INLINE Lanes displayed(const Lanes& radiance, DisplayCurve curve) {
   const Lanes x = simd::clamp(radiance, kSmallestRadiance, 1);
+  const CurvePower p = power_of(curve);
+  const Lanes power = p.gain * simd::exp(simd::log(x) * p.exponent) - p.offset;
+  return curve == DisplayCurve::srgb ? (x <= kSrgbLinear ? x * kSrgbSlope : power) : power;
+}
+
+/// d displayed / d radiance, from both.
+PATINA_INLINE Lanes display_slope(const Lanes& radiance, const Lanes& value, DisplayCurve curve) {
+  const Lanes x = simd::clamp(radiance, kSmallestRadiance, 1);
+  const CurvePower p = power_of(curve);
+  const Lanes power = (value + p.offset) * p.exponent / x;
   const bool srgb = curve == DisplayCurve::srgb;
-  const float exponent = srgb ? 1 / 2.4f : 1 / 2.2f, gain = srgb ? 1.055f : 1;
-  const Lanes power = gain * simd::exp(simd::log(x) * exponent), power_slope = power * exponent / x;
-  const Lanes value = srgb ? (x <= 0.0031308f ? x * 12.92f : power - 0.055f) : power;
-  const Lanes slope = srgb ? (x <= 0.0031308f ? 12.92f - Lanes{} : power_slope) : power_slope;
-  return {value, inside(radiance, kSmallestRadiance, 1, slope)};
+  return inside(radiance, kSmallestRadiance, 1,
+                srgb ? (x <= kSrgbLinear ? kSrgbSlope - Lanes{} : power) : power);
 }
 
 PATINA_INLINE void check(const ShadingProblem& problem) {
@@ -128,7 +140,7 @@ PATINA_INLINE void check(const ShadingProblem& problem) {
 }
 
 /// The gradient by the fields at sixteen pixels, with the lamp's share.
-PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels,
+PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels, const Colour& image,
                                  const Colour& image_gradient, std::array<Lanes, kMostFields>& by,
                                  Lanes& by_light, Lanes& by_sigma) {
   const Irradiance light = irradiance(problem, pixels);
@@ -149,7 +161,8 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pi
   Colour by_unlit;
   Lanes by_irradiance{}, by_cosine{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Lanes by_radiance = image_gradient[k] * displayed(unlit[k] * light.value, problem.curve).slope;
+    const Lanes by_radiance =
+        image_gradient[k] * display_slope(unlit[k] * light.value, image[k], problem.curve);
     by_irradiance += by_radiance * unlit[k];
     by_unlit[k] = by_radiance * light.value;
     by[k] = by_unlit[k] * kInvPi * cosine;
@@ -197,13 +210,13 @@ PATINA_VECTORISED void shade_pixels(const ShadingProblem& problem, std::ptrdiff_
       for (std::size_t k = 0; k < 3; ++k) unlit[k] += pixels.field[lobe.f0 + k] * value;
     }
     for (std::size_t k = 0; k < 3; ++k)
-      simd::store(displayed(unlit[k] * light, problem.curve).value, image[k] + i, count);
+      simd::store(displayed(unlit[k] * light, problem.curve), image[k] + i, count);
   }
 }
 
 PATINA_VECTORISED void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin,
-                                             std::ptrdiff_t end, const ConstPlanes& image_gradient,
-                                             ShadingGradient& gradient) {
+                                             std::ptrdiff_t end, const ConstPlanes& image,
+                                             const ConstPlanes& image_gradient, ShadingGradient& gradient) {
   check(problem);
   Pixels pixels;
   std::array<Lanes, kMostFields> by, sums{};
@@ -211,10 +224,13 @@ PATINA_VECTORISED void shade_pixels_backward(const ShadingProblem& problem, std:
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
     const int count = static_cast<int>(std::min<std::ptrdiff_t>(end - i, simd::kLanes));
     gather(problem, i, count, pixels);
-    Colour by_image;
-    for (std::size_t k = 0; k < 3; ++k) by_image[k] = simd::load_or_zero(image_gradient[k] + i, count);
+    Colour value, by_image;
+    for (std::size_t k = 0; k < 3; ++k) {
+      value[k] = simd::load(image[k] + i, count);
+      by_image[k] = simd::load_or_zero(image_gradient[k] + i, count);
+    }
     Lanes by_light, by_sigma;
-    differentiate(problem, pixels, by_image, by, by_light, by_sigma);
+    differentiate(problem, pixels, value, by_image, by, by_light, by_sigma);
     light_sum += by_light;
     sigma_sum += by_sigma;
     for (std::size_t f = 0; f < problem.fields.size(); ++f) {

@@ -56,7 +56,9 @@ void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrd
 
 /// The gradient of a scalar by everything in the problem, given that by the image: planes are written, sums
 /// added to.
+/// @param image  what shade_pixels() made: the display curve's slope follows from its value without a power
 void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
-                           const ConstPlanes& image_gradient, ShadingGradient& gradient);
+                           const ConstPlanes& image, const ConstPlanes& image_gradient,
+                           ShadingGradient& gradient);
 
 }  // namespace patina

@@ -1,17 +1,18 @@
 #include "engine/posterior/forward_model.h"
 
 #include <ATen/core/grad_mode.h>
-#include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/clamp.h>
 #include <ATen/ops/matmul.h>
 #include <ATen/ops/tensor.h>
 
+#include <cassert>
 #include <cstring>
 #include <utility>
 
 #include "engine/io/photo.h"
 #include "engine/material/photograph.h"
 #include "engine/posterior/resampling.h"
+#include "engine/summary/feature_steps.h"
 #include "engine/summary/image_tensor.h"
 
 namespace patina {
@@ -41,7 +42,7 @@ at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
   const int times = material->oversampling(), side = times * resolution;
   const at::Tensor image = photograph(material->surface(parameters, discrete, z, capture, side), capture,
                                       side, DisplayCurve::srgb);
-  return (*summary)(times == 1 ? image : at::avg_pool2d(image.unsqueeze(0), {times, times}).squeeze(0));
+  return (*summary)(times == 1 ? image : average_pool(image.unsqueeze(0)).squeeze(0));
 }
 
 Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,

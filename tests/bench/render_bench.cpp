@@ -72,6 +72,14 @@ Surface as_leaves(Surface surface) {
   return surface;
 }
 
+/// What a backward pass has left, so that the next one need not add to it.
+void forget_gradients(const Surface& surface) {
+  std::vector<at::Tensor> leaves{surface.normal, surface.base_color, surface.light, surface.vignette_sigma};
+  for (const Lobe& lobe : surface.lobes)
+    leaves.insert(leaves.end(), {lobe.normal, lobe.roughness_x, lobe.roughness_y});
+  for (at::Tensor& leaf : leaves) leaf.mutable_grad().reset();
+}
+
 void report(const std::string& name, int repeats, int resolution) {
   const auto material = make_material(name);
   const Irregularities z(2);
@@ -96,8 +104,14 @@ void report(const std::string& name, int repeats, int resolution) {
                  (*summary)(leaf).square().sum().backward();
                },
                [&] { photograph(surface(), capture, resolution, DisplayCurve::srgb).backward(by_image); },
-               [&] { photograph(shown, capture, resolution, DisplayCurve::srgb).backward(by_image); },
-               [&] { display(shade(shown, capture, resolution), DisplayCurve::srgb).backward(by_image); }},
+               [&] {
+                 photograph(shown, capture, resolution, DisplayCurve::srgb).backward(by_image);
+                 forget_gradients(shown);
+               },
+               [&] {
+                 display(shade(shown, capture, resolution), DisplayCurve::srgb).backward(by_image);
+                 forget_gradients(shown);
+               }},
               repeats);
   std::printf("| %s | %.0f | %.1f | %.0f %% | %.1f | %.1f | %.1f |\n", name.c_str(), times[0], times[1],
               100 * times[1] / times[0], times[2], times[3], times[3] / times[2]);
