@@ -28,9 +28,13 @@ MipMap stack_channels(const MipMap& first, const MipMap& second);
 /// Point samples of a map that is finer than the image would make the image, and every posterior over it, a
 /// rough function of scale and shift. Continuous and differentiable in both.
 /// @param scale, shift_x, shift_y  scalars, scale > 0
-/// @return    [c, n + 1, n + 1]: the image with its neighbours, the row above it and the column to its right
+/// @return    [c, n + 1, n + 1]: the image with its neighbours, the row above it and the column to its right.
+///            In float32 one pass over the pixels, and one for the gradient, which has no further
+///            derivatives; else as look_up_by_tensors(), the reference
 at::Tensor look_up(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
                    const at::Tensor& shift_y, int resolution);
+at::Tensor look_up_by_tensors(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
+                              const at::Tensor& shift_y, int resolution);
 
 /// The image itself of planes with neighbours. @param planes [..., n + 1, n + 1]   @return [..., n, n]
 at::Tensor without_neighbours(const at::Tensor& planes);

@@ -11,6 +11,7 @@ class Plaster final : public Material {
   explicit Plaster(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
   Tiling tiling() const override { return Tiling::map; }
+  int oversampling() const override { return 2; }
   Surface surface(const ParameterTensors& parameters, std::span<const int> discrete, const Irregularities& z,
                   const Capture& capture, int resolution) const override;
 

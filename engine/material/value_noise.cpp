@@ -5,15 +5,18 @@
 #include <ATen/ops/empty.h>
 #include <ATen/ops/grid_sampler_2d.h>
 #include <ATen/ops/grid_sampler_3d.h>
-#include <ATen/ops/lerp.h>
+#include <ATen/ops/ones_like.h>
 #include <ATen/ops/pad.h>
 #include <ATen/ops/remainder.h>
+#include <ATen/ops/rsub.h>
 #include <ATen/ops/stack.h>
+#include <ATen/ops/zeros_like.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/material/hash.h"
+#include "engine/material/noise_look_up.h"
 
 namespace patina {
 namespace {
@@ -35,36 +38,53 @@ at::Tensor in_one_period(const at::Tensor& coordinate, std::int64_t size_with_re
   return at::remainder(coordinate, period) * (2 / period) - 1;
 }
 
-/// Where along the levels of one axis a width lies: between `level` and the next, by `share` ([], in [0,1]).
-struct Place {
+/// A level along one axis, and its share of what is seen ([], in [0,1]).
+struct Share {
   std::size_t level;
-  at::Tensor share;  ///< undefined: that level alone
+  at::Tensor share;
 };
 
-Place place_of(const at::Tensor& width, std::size_t levels) {
+/// The one or two levels that a width lies at or between.
+std::vector<Share> shares_of(const at::Tensor& width, std::size_t levels) {
   const at::Tensor level = width.log2() + kSharpness;
   const double at = level.item<double>();
-  if (!(at > 0)) return {0, {}};
-  if (at >= static_cast<double>(levels - 1)) return {levels - 1, {}};
-  return {static_cast<std::size_t>(at), level - std::floor(at)};
+  if (!(at > 0)) return {{0, at::ones_like(level)}};
+  if (at >= static_cast<double>(levels - 1)) return {{levels - 1, at::ones_like(level)}};
+  const auto finer = static_cast<std::size_t>(at);
+  const at::Tensor coarser_share = level - std::floor(at);
+  return {{finer, 1 - coarser_share}, {finer + 1, coarser_share}};
 }
 
-/// @param x_level  runs of 2^x_level values lie at the middles of the runs
-at::Tensor sample(const at::Tensor& values, const at::Tensor& x, const at::Tensor& y, std::size_t x_level,
-                  std::size_t y_level) {
-  const auto in_level = [](const at::Tensor& coordinate, std::size_t level) {
+/// What is seen of noise at some widths: levels that are mixed, and their weights, [planes].
+struct Mixture {
+  std::vector<NoisePlane> planes;
+  at::Tensor weights;
+};
+
+Mixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y) {
+  Mixture mixture;
+  std::vector<at::Tensor> weights;
+  for (const Share& row : shares_of(width_y, noise.levels.size()))
+    for (const Share& column : shares_of(width_x, noise.levels.front().size())) {
+      mixture.planes.push_back({noise.levels[row.level][column.level],
+                                static_cast<std::int64_t>(column.level),
+                                static_cast<std::int64_t>(row.level)});
+      weights.push_back(row.share * column.share);
+    }
+  mixture.weights = at::stack(weights);
+  return mixture;
+}
+
+at::Tensor sample(const NoisePlane& plane, const at::Tensor& x, const at::Tensor& y) {
+  const auto in_level = [](const at::Tensor& coordinate, std::int64_t level) {
     const double run = std::exp2(static_cast<double>(level));
     return (coordinate - (run - 1) / 2) / run;
   };
-  const at::Tensor grid = at::stack({in_one_period(in_level(x, x_level), values.size(3)),
-                                     in_one_period(in_level(y, y_level), values.size(2))},
+  const at::Tensor grid = at::stack({in_one_period(in_level(x, plane.x_level), plane.values.size(3)),
+                                     in_one_period(in_level(y, plane.y_level), plane.values.size(2))},
                                     -1);
-  return at::grid_sampler_2d(values.to(grid.scalar_type()), grid.unsqueeze(0), kLinear, kZeros,
+  return at::grid_sampler_2d(plane.values.to(grid.scalar_type()), grid.unsqueeze(0), kLinear, kZeros,
                              /*align_corners=*/true)[0][0];
-}
-
-at::Tensor mixed(const at::Tensor& finer, const Place& place, const auto& coarser) {
-  return place.share.defined() ? at::lerp(finer, coarser(), place.share) : finer;
 }
 
 }  // namespace
@@ -84,13 +104,18 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y) {
-  const Place column = place_of(width_x, noise.levels.front().size()),
-              row = place_of(width_y, noise.levels.size());
-  const auto at_level = [&](std::size_t j, std::size_t i) { return sample(noise.levels[j][i], x, y, i, j); };
-  const auto at_row = [&](std::size_t j) {
-    return mixed(at_level(j, column.level), column, [&] { return at_level(j, column.level + 1); });
-  };
-  return mixed(at_row(row.level), row, [&] { return at_row(row.level + 1); });
+  if (x.scalar_type() != at::kFloat) return value_noise_by_tensors(noise, x, y, width_x, width_y);
+  const Mixture mixture = mixture_of(noise, width_x, width_y);
+  return look_up_planes(mixture.planes, x, y, mixture.weights);
+}
+
+at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
+                                  const at::Tensor& width_x, const at::Tensor& width_y) {
+  const Mixture mixture = mixture_of(noise, width_x, width_y);
+  at::Tensor sum = at::zeros_like(x);
+  for (std::size_t p = 0; p < mixture.planes.size(); ++p)
+    sum = sum + mixture.weights[static_cast<std::int64_t>(p)] * sample(mixture.planes[p], x, y);
+  return sum;
 }
 
 at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int channels, int period) {
@@ -100,6 +125,12 @@ at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int chann
 
 at::Tensor volume_noise(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
                         const at::Tensor& z) {
+  return x.scalar_type() == at::kFloat ? look_up_volume(volume, x, y, z)
+                                       : volume_noise_by_tensors(volume, x, y, z);
+}
+
+at::Tensor volume_noise_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                                   const at::Tensor& z) {
   const std::int64_t size = volume.size(4);
   const at::Tensor grid =
       at::stack({in_one_period(x, size), in_one_period(y, size), in_one_period(z, size)}, -1);

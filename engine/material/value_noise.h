@@ -22,16 +22,23 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 /// than the pixels would say nothing true. Continuous and differentiable in all its arguments.
 /// @param x, y              [h, w]
 /// @param width_x, width_y  scalars, above 0
-/// @return                  [h, w]
+/// @return                  [h, w]. In float32 one pass over the pixels, and one for the gradient, which has
+/// no
+///                          further derivatives; else as value_noise_by_tensors(), the reference
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y);
+at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
+                                  const at::Tensor& width_x, const at::Tensor& width_y);
 
 /// Value noise in space, of the same values in every direction and not filtered, as a grid with its
 /// repetition: [1, channels, period + 1, period + 1, period + 1].
 at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int channels, int period);
 
-/// @param x, y, z  [h, w]   @return [channels, h, w]
+/// @param volume   of two channels
+/// @param x, y, z  [h, w]   @return [2, h, w]; in float32 in one pass, as value_noise()
 at::Tensor volume_noise(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
                         const at::Tensor& z);
+at::Tensor volume_noise_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                                   const at::Tensor& z);
 
 }  // namespace patina

@@ -13,6 +13,7 @@ class Wood final : public Material {
   explicit Wood(ParameterTable table) : table_(std::move(table)) {}
   const ParameterTable& table() const override { return table_; }
   Tiling tiling() const override { return Tiling::book_matched; }
+  int oversampling() const override { return 2; }
   Surface surface(const ParameterTensors& parameters, std::span<const int> discrete, const Irregularities& z,
                   const Capture& capture, int resolution) const override;
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <ATen/core/Tensor.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace patina {
+
+/// One level of value noise among those that are mixed: runs of 2^x_level by 2^y_level values.
+struct NoisePlane {
+  at::Tensor values;  ///< ValueNoise::levels[y_level][x_level]
+  std::int64_t x_level, y_level;
+};
+
+// Look-ups in float32, in one pass over the pixels each way; first derivatives only. noise_kernel.h has the
+// loops.
+
+/// The sum of planes, at most four, by their weights.
+/// @param x, y     [h, w], lattice coordinates   @param weights  [planes]   @return [h, w]
+at::Tensor look_up_planes(const std::vector<NoisePlane>& planes, const at::Tensor& x, const at::Tensor& y,
+                          const at::Tensor& weights);
+
+/// @param volume  [1, 2, period + 1, period + 1, period + 1]   @param x, y, z  [h, w]   @return [2, h, w]
+at::Tensor look_up_volume(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                          const at::Tensor& z);
+
+}  // namespace patina

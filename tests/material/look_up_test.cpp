@@ -1,0 +1,50 @@
+#include "engine/material/look_up.h"
+
+#include <ATen/Context.h>
+#include <ATen/TensorOperators.h>
+#include <ATen/ops/arange.h>
+#include <ATen/ops/rand.h>
+#include <ATen/ops/tensor.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace patina {
+namespace {
+
+using LookUp = at::Tensor (*)(const MipMap&, const at::Tensor&, const at::Tensor&, const at::Tensor&, int);
+
+/// What a look-up says, and the gradient of a weighted sum of it by scale and shifts.
+std::vector<at::Tensor> looked(LookUp look_up, const MipMap& map, double scale, int resolution,
+                               at::ScalarType type) {
+  const auto leaf = [&](double value) {
+    return at::tensor(value, at::kFloat).to(type).detach().set_requires_grad(true);
+  };
+  const at::Tensor s = leaf(scale), x = leaf(0.137), y = leaf(-0.771);
+  const at::Tensor planes = look_up(map, s, x, y, resolution);
+  planes.backward(at::arange(planes.numel(), planes.options()).view(planes.sizes()).sin());
+  return {planes.detach(), s.grad(), x.grad(), y.grad()};
+}
+
+class LookUpInOnePass : public testing::TestWithParam<double> {};
+
+TEST_P(LookUpInOnePass, EqualsTensorOperationsWithItsGradient) {
+  at::manual_seed(7);
+  for (const std::int64_t channels : {1, 3}) {
+    const MipMap map = make_mip_map(at::rand({1, channels, 64, 64}));
+    constexpr int kResolution = 45;  // no multiple of the pixels that are taken at once
+    const auto fused = looked(look_up, map, GetParam(), kResolution, at::kFloat),
+               reference = looked(look_up_by_tensors, map, GetParam(), kResolution, at::kDouble);
+    for (std::size_t i = 0; i < fused.size(); ++i) {
+      const double size = reference[i].abs().max().item<double>();
+      EXPECT_LT((fused[i].to(at::kDouble) - reference[i]).abs().max().item<double>(), 1e-3 * size + 1e-6)
+          << "quantity " << i << " of " << channels << " channels";
+    }
+  }
+}
+
+// Magnified, at and between levels, and beyond the coarsest.
+INSTANTIATE_TEST_SUITE_P(Scales, LookUpInOnePass, testing::Values(0.21, 0.93, 1.7, 4.4, 30.0));
+
+}  // namespace
+}  // namespace patina
