@@ -169,7 +169,7 @@ TEST_F(RankMaterials, finds_by_sequential_monte_carlo_what_laplace_finds_about) 
   settings.materials = {"bump", "plaster"};
   const auto laplace = rank_materials(red_bump(), settings);
   settings.finalists = 2;
-  settings.particles = 8;
+  settings.particles = 16;
   const auto measured = rank_materials(red_bump(), settings);
   ASSERT_TRUE(laplace && measured);
   for (const RankedMaterial& m : measured->materials) {
