@@ -16,6 +16,17 @@ constexpr int kLanes = 16;
 typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
 typedef std::int32_t Bits __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
+/// How many of the pixels i ... end - 1 are taken next.
+PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
+  return static_cast<int>(end - i < kLanes ? end - i : kLanes);
+}
+
+PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
+  Lanes lanes;
+  for (int k = 0; k < kLanes; ++k) lanes[k] = from[index[k]];
+  return lanes;
+}
+
 /// The first `count` of sixteen numbers, the last of them repeated to fill up.
 PATINA_INLINE Lanes load(const float* from, int count) {
   Lanes lanes;

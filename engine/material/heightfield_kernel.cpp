@@ -24,10 +24,6 @@ PATINA_INLINE Slopes slopes(const float* above, const float* here, float per_pix
   return s;
 }
 
-PATINA_INLINE int lanes_from(std::ptrdiff_t column, std::ptrdiff_t n) {
-  return static_cast<int>(std::min<std::ptrdiff_t>(n - column, simd::kLanes));
-}
-
 PATINA_INLINE void add(const Lanes& lanes, float* to, int count) {
   simd::store(simd::load(to, count) + lanes, to, count);
 }
@@ -39,7 +35,7 @@ PATINA_VECTORISED void normals_of_rows(const float* height, float per_pixel, std
                                        const std::array<float*, 3>& normal) {
   for (std::ptrdiff_t row = begin; row < end; ++row)
     for (std::ptrdiff_t column = 0; column < n; column += simd::kLanes) {
-      const int count = lanes_from(column, n);
+      const int count = simd::lanes_from(column, n);
       const float* above = height + row * (n + 1) + column;
       const Slopes s = slopes(above, above + n + 1, per_pixel, count);
       const std::ptrdiff_t i = row * n + column;
@@ -54,7 +50,7 @@ PATINA_VECTORISED void normals_backward(const float* height, float per_pixel, st
                                         float* height_gradient) {
   for (std::ptrdiff_t row = 0; row < n; ++row)
     for (std::ptrdiff_t column = 0; column < n; column += simd::kLanes) {
-      const int count = lanes_from(column, n);
+      const int count = simd::lanes_from(column, n);
       const std::ptrdiff_t at = row * (n + 1) + column, i = row * n + column;
       const Slopes s = slopes(height + at, height + at + n + 1, per_pixel, count);
       const Lanes gx = simd::load(normal_gradient[0] + i, count),

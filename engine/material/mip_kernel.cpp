@@ -31,12 +31,6 @@ PATINA_INLINE Between between(const Level& level, const Lanes& place) {
   return {first, at - __builtin_convertvector(first, Lanes)};
 }
 
-PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
-  Lanes lanes;
-  for (int k = 0; k < simd::kLanes; ++k) lanes[k] = from[index[k]];
-  return lanes;
-}
-
 /// A row of the grid in a level: the texels of the row before it, and how far it is from there to the next.
 struct Row {
   const float* before;
@@ -56,16 +50,12 @@ struct Sample {
 
 PATINA_INLINE Sample sample(const Level& level, const Row& row, const Between& column) {
   const float *near = row.before, *far = near + level.side;
-  const Lanes a = gather(near, column.first), b = gather(near + 1, column.first),
-              c = gather(far, column.first), d = gather(far + 1, column.first);
+  const Lanes a = simd::gather(near, column.first), b = simd::gather(near + 1, column.first),
+              c = simd::gather(far, column.first), d = simd::gather(far + 1, column.first);
   const Lanes near_slope = b - a, far_slope = d - c;
   const Lanes near_value = a + near_slope * column.fraction, far_value = c + far_slope * column.fraction;
   return {near_value + (far_value - near_value) * row.fraction,
           near_slope + (far_slope - near_slope) * row.fraction, far_value - near_value};
-}
-
-PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
-  return static_cast<int>(std::min<std::ptrdiff_t>(end - i, simd::kLanes));
 }
 
 PATINA_INLINE int channels_of(const Problem& problem) {
@@ -80,7 +70,7 @@ PATINA_VECTORISED void look_up(const Problem& problem, std::ptrdiff_t begin, std
   const std::ptrdiff_t columns = problem.columns(), plane = columns * problem.rows();
   for (std::ptrdiff_t r = begin; r < end; ++r)
     for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
-      const int count = lanes_from(i, columns);
+      const int count = simd::lanes_from(i, columns);
       const Lanes x = simd::load(problem.x.data() + i, count);
       std::array<Lanes, kMostChannels> sums{};
       for (const Level& level : problem.levels) {
@@ -103,7 +93,7 @@ PATINA_VECTORISED void look_up_backward(const Problem& problem, std::ptrdiff_t b
   for (std::ptrdiff_t r = begin; r < end; ++r) {
     Lanes by_y{};
     for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
-      const int count = lanes_from(i, columns);
+      const int count = simd::lanes_from(i, columns);
       const Lanes x = simd::load(problem.x.data() + i, count);
       Lanes by_x{};
       for (std::size_t l = 0; l < problem.levels.size(); ++l) {

@@ -31,12 +31,6 @@ PATINA_INLINE Between between(const Lanes& at, int period) {
   return {first, inside - __builtin_convertvector(first, Lanes)};
 }
 
-PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
-  Lanes lanes;
-  for (int k = 0; k < simd::kLanes; ++k) lanes[k] = from[index[k]];
-  return lanes;
-}
-
 /// Linear interpolation, and its slope.
 struct Line {
   Lanes value, slope;
@@ -57,8 +51,8 @@ PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) 
   const int stride = plane.columns + 1;
   const Bits first = row.first * stride + column.first;
   const float *here = plane.values, *below = here + stride;
-  const Line near = line(gather(here, first), gather(here + 1, first), column.fraction);
-  const Line far = line(gather(below, first), gather(below + 1, first), column.fraction);
+  const Line near = line(simd::gather(here, first), simd::gather(here + 1, first), column.fraction);
+  const Line far = line(simd::gather(below, first), simd::gather(below + 1, first), column.fraction);
   const Line across = line(near.value, far.value, row.fraction);
   return {across.value, (near.slope + (far.slope - near.slope) * row.fraction) / plane.run_x,
           across.slope / plane.run_y};
@@ -86,7 +80,7 @@ PATINA_INLINE VolumeSample sample(const Volume& volume, const Cell& cell, int ch
   const float* values = volume.values + channel * stride * stride * stride;
   const auto along_x = [&](int y, int z) __attribute__((always_inline)) {
     const float* row = values + (z * stride + y) * stride;
-    return line(gather(row, cell.first), gather(row + 1, cell.first), cell.x.fraction);
+    return line(simd::gather(row, cell.first), simd::gather(row + 1, cell.first), cell.x.fraction);
   };
   struct Face {
     Lanes value, by_x, by_y;
@@ -104,16 +98,12 @@ PATINA_INLINE VolumeSample sample(const Volume& volume, const Cell& cell, int ch
           far.value - near.value};
 }
 
-PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
-  return static_cast<int>(std::min<std::ptrdiff_t>(end - i, simd::kLanes));
-}
-
 }  // namespace
 
 PATINA_VECTORISED void look_up(const std::vector<Plane>& planes, const float* x, const float* y,
                                std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = lanes_from(i, end);
+    const int count = simd::lanes_from(i, end);
     const Lanes at_x = simd::load(x + i, count), at_y = simd::load(y + i, count);
     Lanes sum{};
     for (const Plane& plane : planes) sum += plane.weight * sample(plane, at_x, at_y).value;
@@ -127,7 +117,7 @@ PATINA_VECTORISED void look_up_backward(const std::vector<Plane>& planes, const 
   assert(planes.size() <= kMostPlanes);
   std::array<Lanes, kMostPlanes> by_weights{};
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = lanes_from(i, end);
+    const int count = simd::lanes_from(i, end);
     const Lanes at_x = simd::load(x + i, count), at_y = simd::load(y + i, count),
                 by_sum = simd::load_or_zero(gradient + i, count);
     Lanes sum_x{}, sum_y{};
@@ -146,7 +136,7 @@ PATINA_VECTORISED void look_up_backward(const std::vector<Plane>& planes, const 
 PATINA_VECTORISED void look_up(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin,
                                std::ptrdiff_t end, const Two& to) {
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = lanes_from(i, end);
+    const int count = simd::lanes_from(i, end);
     const Cell cell = cell_of(volume, simd::load(place[0] + i, count), simd::load(place[1] + i, count),
                               simd::load(place[2] + i, count));
     for (int c = 0; c < 2; ++c)
@@ -157,7 +147,7 @@ PATINA_VECTORISED void look_up(const Volume& volume, const ConstThree& place, st
 PATINA_VECTORISED void look_up_backward(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin,
                                         std::ptrdiff_t end, const ConstTwo& gradient, const Three& by_place) {
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = lanes_from(i, end);
+    const int count = simd::lanes_from(i, end);
     const Cell cell = cell_of(volume, simd::load(place[0] + i, count), simd::load(place[1] + i, count),
                               simd::load(place[2] + i, count));
     Lanes by_x{}, by_y{}, by_z{};

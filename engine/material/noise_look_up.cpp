@@ -1,34 +1,20 @@
 #include "engine/material/noise_look_up.h"
 
-#include <ATen/Parallel.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/empty_like.h>
 #include <torch/csrc/autograd/custom_function.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "engine/material/noise_kernel.h"
+#include "engine/material/pixel_blocks.h"
 
 namespace patina {
 namespace {
 
 using torch::autograd::AutogradContext;
 using torch::autograd::variable_list;
-
-constexpr std::int64_t kBlock = 4096;  // pixels: enough to pay for a thread, few enough to add up in float32
-
-std::int64_t blocks_of(std::int64_t pixels) { return (pixels + kBlock - 1) / kBlock; }
-
-/// Calls f(block, begin, end) for each block of pixels, on all of the thread's tensor threads.
-template <class F>
-void over_blocks(std::int64_t pixels, const F& f) {
-  at::parallel_for(0, blocks_of(pixels), 1, [&](std::int64_t first, std::int64_t last) {
-    for (std::int64_t block = first; block < last; ++block)
-      f(block, block * kBlock, std::min(pixels, (block + 1) * kBlock));
-  });
-}
 
 /// @param levels  along x and along y, plane by plane
 std::vector<noise::Plane> laid_out(const std::vector<at::Tensor>& values,

@@ -1,15 +1,14 @@
 #include "engine/material/photograph.h"
 
-#include <ATen/Parallel.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/empty_like.h>
 #include <ATen/ops/zeros_like.h>
 #include <torch/csrc/autograd/custom_function.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/material/capture_view.h"
+#include "engine/material/pixel_blocks.h"
 #include "engine/material/shading.h"
 #include "engine/material/shading_kernel.h"
 
@@ -18,8 +17,6 @@ namespace {
 
 using torch::autograd::AutogradContext;
 using torch::autograd::variable_list;
-
-constexpr std::int64_t kBlock = 4096;  // pixels: enough to pay for a thread, few enough to add up in float32
 
 /// Where the tensors of a lobe lie among the inputs.
 struct LobeInputs {
@@ -114,15 +111,6 @@ ConstPlanes const_planes_of(const at::Tensor& image) {
   return {planes[0], planes[1], planes[2]};
 }
 
-/// Calls f(block, begin, end) for each block of pixels, on all of the thread's tensor threads.
-template <class F>
-void over_blocks(std::int64_t pixels, const F& f) {
-  at::parallel_for(0, (pixels + kBlock - 1) / kBlock, 1, [&](std::int64_t first, std::int64_t last) {
-    for (std::int64_t block = first; block < last; ++block)
-      f(block, block * kBlock, std::min(pixels, (block + 1) * kBlock));
-  });
-}
-
 CaptureView view_of(double size_cm, double camera_cm, std::int64_t resolution) {
   return capture_view({size_cm, camera_cm}, static_cast<int>(resolution), at::kFloat);
 }
@@ -213,7 +201,7 @@ struct Photograph : torch::autograd::Function<Photograph> {
     const ConstPlanes values = const_planes_of(image), by_values = const_planes_of(image_gradient);
 
     InputGradients gradients(*context, tensors, laid);
-    const std::int64_t pixels = view.square_radius.numel(), blocks = (pixels + kBlock - 1) / kBlock;
+    const std::int64_t pixels = view.square_radius.numel(), blocks = blocks_of(pixels);
     const std::size_t fields = laid.problem.fields.size();
     // A block's sums stand for themselves until all are done: the total does not depend on the threads.
     std::vector<std::vector<double>> sums(static_cast<std::size_t>(blocks), std::vector<double>(fields + 2));

@@ -40,6 +40,7 @@ ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared
 at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
                                            const std::vector<int>& discrete, const Irregularities& z) const {
   const int times = material->oversampling(), side = times * resolution;
+  assert(times == 1 || times == 2);
   const at::Tensor image = photograph(material->surface(parameters, discrete, z, capture, side), capture,
                                       side, DisplayCurve::srgb);
   return (*summary)(times == 1 ? image : average_pool(image.unsqueeze(0)).squeeze(0));

@@ -9,18 +9,20 @@
 #include <ATen/ops/randn.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <thread>
 #include <vector>
 
+#include "tests/bench/timing.h"
+
 extern "C" {
 extern const char* malloc_conf;
 const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
 }
 
+namespace patina {
 namespace {
 
 constexpr int kChains = 4;
@@ -34,7 +36,7 @@ struct Layer {
 };
 
 /// Those of resources/networks/bundled.safetensors.
-std::vector<Layer> layers() {
+std::vector<Layer> make_layers() {
   std::vector<Layer> layers;
   std::int64_t in = 3;
   const auto add = [&](std::int64_t out, std::int64_t shrink) {
@@ -73,20 +75,9 @@ struct Work {
   }
 };
 
-double milliseconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 void report(std::int64_t side, int repeats) {
   constexpr int kRounds = 4;  // of every measurement, so that starting threads counts for little
-  const std::vector<Layer> layers = ::layers();
+  const std::vector<Layer> layers = make_layers();
   const Work batch(layers, kChains, side);
   const std::vector<Work> chains(kChains, Work(layers, 1, side));
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
@@ -116,10 +107,11 @@ void report(std::int64_t side, int repeats) {
 }
 
 }  // namespace
+}  // namespace patina
 
 int main(int argc, char** argv) {
   const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
   std::puts("| pixels | one batch of 4, ms | 4 by themselves, ms | batch / by themselves |");
   std::puts("|---|---|---|---|");
-  for (const std::int64_t side : {32, 64, 128, 256}) report(side, repeats);
+  for (const std::int64_t side : {32, 64, 128, 256}) patina::report(side, repeats);
 }

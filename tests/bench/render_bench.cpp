@@ -8,7 +8,6 @@
 #include <ATen/ops/scalar_tensor.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -21,6 +20,7 @@
 #include "engine/material/registry.h"
 #include "engine/material/shading.h"
 #include "engine/summary/summary.h"
+#include "tests/bench/timing.h"
 
 extern "C" {
 extern const char* malloc_conf;
@@ -29,17 +29,6 @@ const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
 
 namespace patina {
 namespace {
-
-double milliseconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
 
 /// Medians of each of several works, which take turns; one more turn comes first, to warm up.
 std::vector<double> medians(const std::vector<std::function<void()>>& works, int repeats) {
