@@ -70,13 +70,17 @@ void add_compare(CLI::App& app, Command& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(0, 100))
       ->needs(search);
-  command.add_option("--threads", rank.threads, "Threads (default: all)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", rank.threads, "Threads (default: all)")
+      ->check(CLI::Range(1, 1024))
+      ->needs(search);
   command.add_option("--seed", rank.seed, "Seed of the searches and draws")
       ->capture_default_str()
-      ->check(seed_problem);
+      ->check(seed_problem)
+      ->needs(search);
   command.add_option("--z-seed", rank.z_seed, "Seed of the irregularities")
       ->capture_default_str()
-      ->check(seed_problem);
+      ->check(seed_problem)
+      ->needs(search);
   command.add_flag("--quiet", options->quiet, "Print nothing but errors and the result");
   command.add_flag("--json", options->json, "As one JSON document");
   command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });

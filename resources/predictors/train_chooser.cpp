@@ -45,6 +45,9 @@ Options parse(int argc, char** argv, CLI::App& app) {
       ->capture_default_str();
   app.add_option("--threads", options.threads)->capture_default_str();
   app.parse(argc, argv);
+  if (options.photos * std::ssize(material_names()) <= options.held_back)
+    throw UserError(std::to_string(options.held_back) + " photos are held back: ask for more --photos.");
+  if (!options.data.empty()) std::filesystem::create_directories(options.data);
   return options;
 }
 

@@ -9,7 +9,6 @@
 #include <ATen/ops/zeros.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +22,7 @@
 #include "engine/summary/feature_steps.h"
 #include "engine/summary/precision.h"
 #include "engine/summary/safetensors.h"
+#include "tests/bench/timing.h"
 
 extern "C" {
 extern const char* malloc_conf;
@@ -72,18 +72,6 @@ SafeTensors random_vgg19() {
   return weights;
 }
 
-template <typename Work>
-double seconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 /// Operations a second of the library's convolution, of that of VGG-19's large shapes that suits it best.
 double best_throughput(Precision precision) {
   constexpr int kTimes = 8;
@@ -95,7 +83,7 @@ double best_throughput(Precision precision) {
                                         precision);
     const at::Tensor map = at::randn({1, shape.in, shape.side, shape.side}).contiguous(kChannelsLast);
     convolve(convolution, map);  // warms up
-    const double spent = seconds([&] {
+    const double spent = 1e-3 * milliseconds([&] {
       for (int i = 0; i < kTimes; ++i) convolve(convolution, map);
     });
     best = std::max(best, kTimes * shape.operations() / spent);
@@ -122,7 +110,7 @@ Pairs measure(const std::filesystem::path& network, const std::string& precision
   Pairs pairs;
   for (int i = -1; i < repeats; ++i) {  // the first to warm up
     const double plain = best_throughput(precision_named(precision));
-    const double whole = seconds([&] { target.evaluate(position); });
+    const double whole = 1e-3 * milliseconds([&] { target.evaluate(position); });
     if (i < 0) continue;
     pairs.seconds.push_back(whole);
     pairs.whole.push_back(operations / whole);
