@@ -7,12 +7,12 @@
 #include <iterator>
 #include <utility>
 
-#include "gui/look.h"
 #include "gui/panels/chains_panel.h"
 #include "gui/panels/draw_panel.h"
 #include "gui/panels/help_sheet.h"
 #include "gui/panels/top_bar.h"
-#include "gui/theme.h"
+#include "gui/window/look.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

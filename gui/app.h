@@ -11,10 +11,8 @@
 #include "gui/action.h"
 #include "gui/background_loader.h"
 #include "gui/export_worker.h"
-#include "gui/fonts.h"
 #include "gui/history.h"
 #include "gui/keyboard_focus.h"
-#include "gui/layout.h"
 #include "gui/panels/command_palette.h"
 #include "gui/panels/cost_panel.h"
 #include "gui/panels/error_banner.h"
@@ -25,12 +23,14 @@
 #include "gui/panels/photo_panel.h"
 #include "gui/panels/preview_panel.h"
 #include "gui/panels/scatter_panel.h"
-#include "gui/preferences.h"
-#include "gui/preview_feed.h"
+#include "gui/preview/preview_feed.h"
 #include "gui/session.h"
 #include "gui/step_order.h"
 #include "gui/view_choices.h"
-#include "gui/window.h"
+#include "gui/window/fonts.h"
+#include "gui/window/layout.h"
+#include "gui/window/preferences.h"
+#include "gui/window/window.h"
 
 namespace patina {
 

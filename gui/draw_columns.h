@@ -8,7 +8,7 @@
 #include "engine/run/draw.h"
 #include "gui/chunked_column.h"
 #include "gui/draw_place.h"
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 
 namespace patina {
 

@@ -6,7 +6,7 @@
 
 #include "engine/run/stars.h"
 #include "gui/draw_set.h"
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 
 namespace patina {
 

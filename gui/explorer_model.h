@@ -9,7 +9,7 @@
 
 #include "gui/draw_columns.h"
 #include "gui/explorer_choices.h"
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 
 namespace patina {
 

@@ -3,10 +3,10 @@
 
 #include "engine/error.h"
 #include "gui/arguments.h"
-#include "gui/explorer_library.h"
-#include "gui/glfw_window.h"
-#include "gui/opening_screen.h"
-#include "gui/preferences.h"
+#include "gui/window/explorer_library.h"
+#include "gui/window/glfw_window.h"
+#include "gui/window/opening_screen.h"
+#include "gui/window/preferences.h"
 
 // Renders and networks give back large buffers all the time; jemalloc keeps them, in huge pages, so that the
 // next one costs no page faults.

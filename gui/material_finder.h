@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <string>
 
-#include "engine/run/rank_materials.h"
+#include "engine/comparison/rank_materials.h"
 #include "gui/background_loader.h"
 
 namespace patina {

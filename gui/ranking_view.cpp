@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/run/ranking_words.h"
+#include "engine/comparison/ranking_words.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/run/rank_materials.h"
+#include "engine/comparison/rank_materials.h"
 
 namespace patina {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/comparison/ranking_json.h"
 #include "engine/error.h"
-#include "engine/run/ranking_json.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gui/layout.h"
 #include "gui/panels/scatter_panel.h"
-#include "gui/preview_view.h"
+#include "gui/preview/preview_view.h"
+#include "gui/window/layout.h"
 
 namespace patina {
 

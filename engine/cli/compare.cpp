@@ -10,8 +10,8 @@
 #include "engine/cli/command.h"
 #include "engine/cli/print.h"
 #include "engine/cli/ranking_text.h"
+#include "engine/comparison/ranking_json.h"
 #include "engine/io/photo.h"
-#include "engine/run/ranking_json.h"
 
 namespace patina {
 namespace {

@@ -17,8 +17,8 @@
 #include "engine/cli/progress.h"
 #include "engine/cli/ranking_text.h"
 #include "engine/cli/summary_text.h"
+#include "engine/comparison/ranking_json.h"
 #include "engine/run/manifest_phase.h"
-#include "engine/run/ranking_json.h"
 #include "engine/run/run.h"
 #include "engine/run/run_checks.h"
 

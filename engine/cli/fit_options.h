@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/cli/arguments.h"
-#include "engine/run/rank_materials.h"
+#include "engine/comparison/rank_materials.h"
 #include "engine/run/run_settings.h"
 
 namespace CLI {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/run/rank_materials.h"
+#include "engine/comparison/rank_materials.h"
 
 namespace patina {
 

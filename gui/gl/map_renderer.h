@@ -4,7 +4,7 @@
 
 #include "gui/gl/objects.h"
 #include "gui/gl/surface_textures.h"
-#include "gui/preview_view.h"
+#include "gui/preview/preview_view.h"
 
 namespace patina {
 

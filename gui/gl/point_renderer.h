@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "gui/density_picture.h"
 #include "gui/gl/objects.h"
+#include "gui/plot/density_picture.h"
 
 namespace patina {
 

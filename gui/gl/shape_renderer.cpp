@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "gui/shape_mesh.h"
+#include "gui/preview/shape_mesh.h"
 
 namespace patina {
 

@@ -7,8 +7,8 @@
 #include "gui/gl/multisampled.h"
 #include "gui/gl/objects.h"
 #include "gui/gl/surface_textures.h"
-#include "gui/orbit.h"
-#include "gui/preview_view.h"
+#include "gui/preview/orbit.h"
+#include "gui/preview/preview_view.h"
 
 namespace patina {
 

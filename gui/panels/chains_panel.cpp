@@ -7,7 +7,7 @@
 
 #include "gui/panels/run_rules.h"
 #include "gui/run_outlook.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

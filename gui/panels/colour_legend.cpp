@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gui/panels/panel.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/draw_colours.h"
+#include "gui/plot/draw_colours.h"
 
 namespace patina {
 

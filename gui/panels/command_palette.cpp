@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "gui/fuzzy.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

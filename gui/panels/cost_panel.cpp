@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "gui/panels/cost_plot.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

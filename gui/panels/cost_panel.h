@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "gui/cost_chart.h"
 #include "gui/panels/panel.h"
+#include "gui/plot/cost_chart.h"
 
 namespace patina {
 

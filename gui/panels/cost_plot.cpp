@@ -5,7 +5,7 @@
 #include "engine/chart/labels.h"
 #include "engine/chart/log_axis.h"
 #include "gui/panels/panel.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "gui/cost_chart.h"
-#include "gui/layout.h"
+#include "gui/plot/cost_chart.h"
+#include "gui/window/layout.h"
 
 namespace patina {
 

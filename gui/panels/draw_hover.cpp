@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "gui/thumbnails.h"
+#include "gui/preview/thumbnails.h"
 
 namespace patina {
 

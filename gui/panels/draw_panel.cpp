@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "gui/panels/panel.h"
-#include "gui/shown_draw.h"
+#include "gui/preview/shown_draw.h"
 
 namespace patina {
 

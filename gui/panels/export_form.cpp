@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 

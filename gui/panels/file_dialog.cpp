@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

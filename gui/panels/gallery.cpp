@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gui/panels/plot_frame.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -8,7 +8,7 @@
 
 #include "gui/mode_finder.h"
 #include "gui/panels/panel.h"
-#include "gui/thumbnails.h"
+#include "gui/preview/thumbnails.h"
 
 namespace patina {
 

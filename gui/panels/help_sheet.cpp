@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

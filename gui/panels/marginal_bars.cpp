@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gui/histogram.h"
-#include "gui/plot_view.h"
+#include "gui/plot/histogram.h"
+#include "gui/plot/plot_view.h"
 
 namespace patina {
 

@@ -6,7 +6,7 @@
 
 #include "gui/panels/keys.h"
 #include "gui/panels/marking_gesture.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

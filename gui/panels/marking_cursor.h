@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/plot_cursor.h"
+#include "gui/plot/plot_cursor.h"
 
 namespace patina {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gui/marking_outline.h"
-#include "gui/plot_view.h"
+#include "gui/plot/marking_outline.h"
+#include "gui/plot/plot_view.h"
 
 struct ImGuiIO;
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "gui/ranking_view.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

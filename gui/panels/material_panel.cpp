@@ -2,7 +2,7 @@
 
 #include "engine/material/registry.h"
 #include "gui/advice.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

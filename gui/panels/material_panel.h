@@ -6,7 +6,7 @@
 #include "gui/panels/material_hint.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/parameter_table.h"
-#include "gui/shown_draw.h"
+#include "gui/preview/shown_draw.h"
 
 namespace patina {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <string>
 
-#include "gui/density_picture.h"
 #include "gui/gl/imgui_renderer.h"
 #include "gui/panels/marginal_bars.h"
-#include "gui/theme.h"
+#include "gui/plot/density_picture.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

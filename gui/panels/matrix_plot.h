@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "gui/gl/objects.h"
-#include "gui/pair_grids.h"
 #include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
-#include "gui/plot_view.h"
+#include "gui/plot/pair_grids.h"
+#include "gui/plot/plot_view.h"
 
 namespace patina {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/layout.h"
 #include "gui/session.h"
+#include "gui/window/layout.h"
 
 namespace patina {
 

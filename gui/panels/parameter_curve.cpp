@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gui/panels/panel.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

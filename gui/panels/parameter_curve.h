@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/material/parameter.h"
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 
 namespace patina {
 

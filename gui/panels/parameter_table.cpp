@@ -8,7 +8,7 @@
 #include "engine/run/verdict.h"
 #include "gui/advice.h"
 #include "gui/panels/parameter_curve.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

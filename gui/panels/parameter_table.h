@@ -8,8 +8,8 @@
 #include "gui/pace.h"
 #include "gui/panels/panel.h"
 #include "gui/panels/prior_editor.h"
-#include "gui/parameter_histograms.h"
-#include "gui/shown_draw.h"
+#include "gui/plot/parameter_histograms.h"
+#include "gui/preview/shown_draw.h"
 
 namespace patina {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <tuple>
 
-#include "gui/clipping.h"
 #include "gui/panels/keys.h"
-#include "gui/theme.h"
+#include "gui/preview/clipping.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

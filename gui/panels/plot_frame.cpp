@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/material/parameter.h"
-#include "gui/layout.h"
-#include "gui/plot_view.h"
+#include "gui/plot/plot_view.h"
+#include "gui/window/layout.h"
 
 namespace patina {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/panels/panel.h"
-#include "gui/preview_view.h"
+#include "gui/preview/preview_view.h"
 
 namespace patina {
 

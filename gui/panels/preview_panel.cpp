@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gui/panels/preview_controls.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "gui/panels/panel.h"
-#include "gui/preview_canvas.h"
-#include "gui/preview_view.h"
-#include "gui/shown_draw.h"
+#include "gui/preview/preview_canvas.h"
+#include "gui/preview/preview_view.h"
+#include "gui/preview/shown_draw.h"
 
 namespace patina {
 

@@ -1,7 +1,7 @@
 #include "gui/panels/prior_editor.h"
 
 #include "gui/panels/field_row.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -1,7 +1,7 @@
 #include "gui/panels/scatter_panel.h"
 
 #include "gui/panels/colour_legend.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

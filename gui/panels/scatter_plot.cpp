@@ -8,7 +8,7 @@
 #include "gui/panels/draw_hover.h"
 #include "gui/panels/marginal_bars.h"
 #include "gui/panels/plot_frame.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "gui/words.h"
 
 namespace patina {

@@ -5,16 +5,16 @@
 #include <functional>
 #include <optional>
 
-#include "gui/credible_regions.h"
-#include "gui/draw_colours.h"
 #include "gui/gl/point_renderer.h"
-#include "gui/histogram.h"
 #include "gui/pace.h"
 #include "gui/panels/marking_cursor.h"
 #include "gui/panels/marking_gesture.h"
 #include "gui/panels/panel.h"
-#include "gui/plot_view.h"
-#include "gui/thumbnails.h"
+#include "gui/plot/credible_regions.h"
+#include "gui/plot/draw_colours.h"
+#include "gui/plot/histogram.h"
+#include "gui/plot/plot_view.h"
+#include "gui/preview/thumbnails.h"
 
 namespace patina {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 
 namespace patina {
 namespace {

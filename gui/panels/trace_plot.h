@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "gui/chain_trace.h"
 #include "gui/panels/scatter_plot.h"
+#include "gui/plot/chain_trace.h"
 
 namespace patina {
 

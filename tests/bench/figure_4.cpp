@@ -9,10 +9,10 @@
 
 #include "engine/error.h"
 #include "engine/io/image_file.h"
-#include "gui/fonts.h"
 #include "gui/gl/objects.h"
-#include "gui/offscreen_window.h"
-#include "gui/plot_view.h"
+#include "gui/plot/plot_view.h"
+#include "gui/window/fonts.h"
+#include "gui/window/offscreen_window.h"
 #include "tests/support/similar_media.h"
 
 namespace patina {

@@ -18,7 +18,7 @@
 #include "engine/run/run_files.h"
 #include "engine/sampling/rng.h"
 #include "gui/app.h"
-#include "gui/offscreen_window.h"
+#include "gui/window/offscreen_window.h"
 #include "tests/gui/fake_source.h"
 
 extern "C" {

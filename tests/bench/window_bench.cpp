@@ -14,7 +14,7 @@
 #include "engine/material/renderer.h"
 #include "engine/sampling/rng.h"
 #include "gui/app.h"
-#include "gui/offscreen_window.h"
+#include "gui/window/offscreen_window.h"
 #include "tests/gui/fake_source.h"
 
 extern "C" {

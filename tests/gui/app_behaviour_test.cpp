@@ -2,7 +2,7 @@
 #include <set>
 
 #include "gui/fuzzy.h"
-#include "gui/theme.h"
+#include "gui/window/theme.h"
 #include "tests/gui/app_fixture.h"
 
 namespace patina::testing {

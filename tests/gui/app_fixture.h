@@ -15,7 +15,7 @@
 #include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "gui/app.h"
-#include "gui/offscreen_window.h"
+#include "gui/window/offscreen_window.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina::testing {

@@ -1,4 +1,4 @@
-#include "gui/layout.h"
+#include "gui/window/layout.h"
 #include "tests/gui/app_fixture.h"
 
 namespace patina::testing {

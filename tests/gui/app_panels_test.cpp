@@ -1,7 +1,7 @@
 #include <fstream>
 
 #include "engine/io/file.h"
-#include "gui/layout.h"
+#include "gui/window/layout.h"
 #include "tests/gui/app_fixture.h"
 
 namespace patina::testing {

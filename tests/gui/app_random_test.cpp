@@ -6,7 +6,7 @@
 #include <fstream>
 #include <random>
 
-#include "gui/imgui_host.h"
+#include "gui/window/imgui_host.h"
 #include "tests/gui/app_fixture.h"
 
 #ifndef PATINA_RANDOM_EVENTS

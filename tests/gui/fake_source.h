@@ -8,7 +8,7 @@
 #include "engine/run/draw_queue.h"
 #include "engine/run/draw_source.h"
 #include "engine/sampling/kernels.h"
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 #include "gui/run_factory.h"
 
 namespace patina::testing {

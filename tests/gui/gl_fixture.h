@@ -6,7 +6,7 @@
 #include <memory>
 #include <ostream>
 
-#include "gui/offscreen_window.h"
+#include "gui/window/offscreen_window.h"
 
 namespace patina {
 

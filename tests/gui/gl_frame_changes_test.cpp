@@ -10,7 +10,7 @@
 #include "gl_fixture.h"
 #include "gui/gl/frame_changes.h"
 #include "gui/gl/point_renderer.h"
-#include "gui/imgui_host.h"
+#include "gui/window/imgui_host.h"
 
 namespace patina {
 namespace {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "gl_fixture.h"
-#include "gui/fonts.h"
+#include "gui/window/fonts.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "gui/plot_axis.h"
+#include "gui/plot/plot_axis.h"
 #include "gui/words.h"
 #include "tests/gui/fake_source.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "gui/draw_colours.h"
-#include "gui/theme.h"
+#include "gui/plot/draw_colours.h"
+#include "gui/window/theme.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

@@ -4,7 +4,7 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/temporary_folder.h"
-#include "gui/cost_chart.h"
+#include "gui/plot/cost_chart.h"
 
 namespace patina {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "gui/clipping.h"
 #include "gui/crop_drag.h"
+#include "gui/preview/clipping.h"
 
 namespace patina {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "gui/contour_lines.h"
-#include "gui/credible_regions.h"
-#include "gui/density_levels.h"
-#include "gui/histogram.h"
+#include "gui/plot/contour_lines.h"
+#include "gui/plot/credible_regions.h"
+#include "gui/plot/density_levels.h"
+#include "gui/plot/histogram.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

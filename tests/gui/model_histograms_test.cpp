@@ -3,7 +3,7 @@
 #include <numeric>
 #include <random>
 
-#include "gui/parameter_histograms.h"
+#include "gui/plot/parameter_histograms.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

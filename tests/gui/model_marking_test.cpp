@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "gui/marking_outline.h"
+#include "gui/plot/marking_outline.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "gui/pair_grids.h"
+#include "gui/plot/pair_grids.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

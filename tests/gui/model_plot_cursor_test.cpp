@@ -1,4 +1,4 @@
-#include "gui/plot_cursor.h"
+#include "gui/plot/plot_cursor.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/io/temporary_folder.h"
-#include "gui/preferences.h"
+#include "gui/window/preferences.h"
 
 namespace patina {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "gui/preview_view.h"
+#include "gui/preview/preview_view.h"
 
 namespace patina {
 namespace {

@@ -13,8 +13,8 @@
 #include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
 #include "gui/advice.h"
+#include "gui/preview/shown_draw.h"
 #include "gui/session.h"
-#include "gui/shown_draw.h"
 #include "tests/gui/fake_source.h"
 
 namespace patina {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "gui/shape_mesh.h"
+#include "gui/preview/shape_mesh.h"
 
 namespace patina {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "gui/chain_trace.h"
+#include "gui/plot/chain_trace.h"
 
 namespace patina {
 namespace {

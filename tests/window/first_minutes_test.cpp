@@ -27,7 +27,7 @@ Image image_of(const Desktop::Picture& picture) {
   return image;
 }
 
-/// Whether a pixel is a point of the first chain (gui/theme.h) over the plot's ground.
+/// Whether a pixel is a point of the first chain (gui/window/theme.h) over the plot's ground.
 bool is_point(std::uint32_t pixel) {
   constexpr int kRed = 72, kGreen = 146, kBlue = 187;
   const auto near = [](std::uint32_t value, int wanted) {

@@ -1,0 +1,67 @@
+#include "engine/comparison/ranking_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/format.h"
+
+namespace patina {
+namespace {
+
+// What Laplace's approximation is taken to be off by, nats: it has no error of its own to tell.
+constexpr double kLaplaceError = 3;
+
+/// "12 times", "about 10^17 times" beyond what a number says.
+std::string times(double nats) {
+  return nats < std::log(1e4) ? format("%.2g times", std::exp(nats))
+                              : format("about 10^%.0f times", nats / std::log(10.0));
+}
+
+/// The paper's Figure 8: a material that is not the photo's can be fitted, but not well.
+std::string none_fits(const RankedMaterial& best) {
+  std::string sentence = format(
+      "None of them fits: the best match, of %s, is off by %.1f times what is usual for a material that fits",
+      best.material.c_str(), *best.misfit);
+  if (best.misfit_of_another_sample)
+    sentence += format("; another sample of that match would be off by %.1f", *best.misfit_of_another_sample);
+  return sentence + ".";
+}
+
+}  // namespace
+
+double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
+
+bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
+  return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));
+}
+
+void put_in_order(std::vector<RankedMaterial>& materials) {
+  if (materials.empty()) return;
+  std::ranges::stable_sort(materials, std::greater(), &RankedMaterial::log_evidence);
+  const double best = materials.front().log_evidence;
+  double total = 0;
+  for (const RankedMaterial& material : materials) total += std::exp(material.log_evidence - best);
+  for (RankedMaterial& material : materials)
+    material.probability = std::exp(material.log_evidence - best) / total;
+  auto simplest = materials.begin();
+  for (auto rival = materials.begin() + 1; rival != materials.end(); ++rival)
+    if (rival->parameters < simplest->parameters && within_error(*rival, materials.front())) simplest = rival;
+  std::rotate(materials.begin(), simplest, simplest + 1);
+}
+
+std::string in_words(const MaterialRanking& ranking) {
+  const auto& all = ranking.materials;
+  if (all.empty()) return "There was nothing to compare.";
+  const RankedMaterial& first = all.front();
+  if (first.misfit.value_or(0) > kPoorMatch) return none_fits(first);
+  if (all.size() == 1) return first.material + ", the only one compared.";
+  const RankedMaterial& next = all[1];
+  if (within_error(first, next))
+    return first.material + " or " + next.material +
+           ": the photo cannot tell them apart within the error of the comparison" +
+           (first.parameters < next.parameters ? ", and " + first.material + " is the simpler." : ".");
+  return first.material + ", " + times(first.log_evidence - next.log_evidence) + " likelier than " +
+         next.material + ", the next.";
+}
+
+}  // namespace patina

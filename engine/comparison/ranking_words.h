@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "engine/comparison/rank_materials.h"
+
+namespace patina {
+
+/// "leather, 12 times likelier than plaster, the next": what a ranking found, in one or two sentences for
+/// people who know no evidences.
+std::string in_words(const MaterialRanking& ranking);
+
+/// The standard deviation of a log evidence, or what Laplace's approximation is taken to be off by.
+double error_of(const RankedMaterial& material);
+
+/// Whether the better evidence of two could be the worse one: their errors, or the crudeness of Laplace's
+/// approximation where one has none, cover the difference.
+bool within_error(const RankedMaterial& a, const RankedMaterial& b);
+
+/// Best evidence first; but of those that are within error of the best the one with the fewest parameters
+/// comes first. Sets the probabilities.
+void put_in_order(std::vector<RankedMaterial>& materials);
+
+}  // namespace patina
