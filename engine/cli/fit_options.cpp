@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <string>
 #include <type_traits>
 
 #include "engine/error.h"
@@ -70,7 +71,8 @@ void FitOptions::add_model(CLI::App& command) {
       "What renders may be off by: paper (set by hand) or calibrated (learnt from simulated photos, in place "
       "of a search for the best match)");
   add(command, "--resolution", &RunSettings::resolution,
-      "Pixels a side at which renders are compared with the photo");
+      "Pixels a side at which renders are compared with the photo (with --map-only: " +
+          std::to_string(kMatchResolution) + ")");
   capture_.add_to(command);
   command.add_option("--fix", fixed_, "Hold a parameter at a value (repeatable)")
       ->type_name("NAME=VALUE")
@@ -198,6 +200,7 @@ RunSettings FitOptions::settings(const std::string& chosen) const {
   const bool freezes = !goes_on && !freeze_.empty();
   if (!goes_on && !freezes && parsed_.material != kAutomatic) check_material_argument(parsed_.material);
   RunSettings settings = goes_on ? read_manifest(out).settings : freezes ? frozen_settings() : parsed_;
+  if (parsed_.map_only && !goes_on && !freezes) settings.resolution = kMatchResolution;
   const std::string material = goes_on ? settings.material : chosen;
   for (const auto& copy : given_) copy(settings);
   if (settings.material == kAutomatic && !material.empty()) settings.material = material;

@@ -25,6 +25,10 @@ inline constexpr const char* kEmulated = "emulated";
 /// That one where it can be, hmc elsewhere.
 inline constexpr const char* kAuto = "auto";
 
+/// Pixels a side where nothing but the best match is asked for: no chains pay for them, and what is fine
+/// comes nearer (resources/fits). Chains of jagged materials agree sooner at fewer.
+inline constexpr int kMatchResolution = 256;
+
 /// Everything that decides a run, beside the photo's pixels; run.json holds it.
 struct RunSettings {
   std::string material = "bump";

@@ -195,5 +195,19 @@ TEST_F(Commands, AFullDiskPausesTheFitWhichGoesOnWhenThereIsRoom) {
   EXPECT_EQ(json({"summarize", path("run"), "--json"})["draws"], 1200);
 }
 
+TEST_F(Commands, ABestMatchAloneIsLookedForAtMorePixels) {
+  std::vector<std::string> fit{"fit",   photo(), "--material", "translucent", "--summary",  "means",
+                               "--fix", "g=0.5", "--fix",      "sigma_a=0.02",   "--map-only", "--out"};
+  const auto resolution_of = [&](const std::string& name) {
+    fit.push_back(path(name));
+    output(fit);
+    fit.pop_back();
+    return nlohmann::json::parse(slurp(path(name + "/run.json")))["settings"]["resolution"].get<int>();
+  };
+  EXPECT_EQ(resolution_of("fine"), 256);
+  fit.insert(fit.begin() + 2, {"--resolution", "32"});
+  EXPECT_EQ(resolution_of("coarse"), 32);
+}
+
 }  // namespace
 }  // namespace patina
