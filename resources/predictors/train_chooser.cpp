@@ -45,8 +45,6 @@ Options parse(int argc, char** argv, CLI::App& app) {
       ->capture_default_str();
   app.add_option("--threads", options.threads)->capture_default_str();
   app.parse(argc, argv);
-  if (options.photos * std::ssize(material_names()) <= options.held_back)
-    throw UserError(std::to_string(options.held_back) + " photos are held back: ask for more --photos.");
   if (!options.data.empty()) std::filesystem::create_directories(options.data);
   return options;
 }
@@ -87,6 +85,8 @@ int run(int argc, char** argv) {
   }
   at::set_num_threads(options.threads);
   const Examples all = examples(options);
+  if (all.features.size(0) <= options.held_back)
+    throw UserError(std::to_string(options.held_back) + " photos are held back: ask for more --photos.");
   DenseStudent student(all.features, options.hidden, std::ssize(material_names()), options.training.seed);
   const auto loss = [&](const at::Tensor& outputs, const at::Tensor& indices) {
     return at::cross_entropy_loss(outputs, all.materials.index_select(0, indices));

@@ -15,8 +15,8 @@
 // What someone in front of the screen waits for and finds there.
 namespace patina {
 
-inline constexpr std::uint32_t kAccent =
-    0x58b8a0;  // of the button that says what to do next (gui/window/theme.h)
+/// Of the button that says what to do next (gui/window/theme.h).
+inline constexpr std::uint32_t kAccent = 0x58b8a0;
 
 /// Starts the patina of this build, which lies beside the test, as a new user's.
 inline Program start_patina(const std::string& display, const std::filesystem::path& home) {
