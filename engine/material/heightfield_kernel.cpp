@@ -1,7 +1,5 @@
 #include "engine/material/heightfield_kernel.h"
 
-#include <algorithm>
-
 #include "engine/simd.h"
 
 namespace patina {

@@ -1,6 +1,5 @@
 #include "engine/material/noise_kernel.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "engine/simd.h"
