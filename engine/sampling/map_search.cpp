@@ -113,12 +113,14 @@ class Search {
   }
 
   double climb_count() const {
+    if (has_jagged()) return settings_.evolutions;
     return settings_.descents +
            std::min<double>(kGuessesClimbed, static_cast<double>(settings_.guesses.size()));
   }
   double candidate_count() const {
-    return 1.0 + settings_.prior_draws + static_cast<double>(settings_.guesses.size());
+    return 1.0 + prior_draws() + static_cast<double>(settings_.guesses.size());
   }
+  int prior_draws() const { return has_jagged() ? 0 : settings_.prior_draws; }  // evolution makes its own
 
   /// Climbs and sweeps on the coarsest target. @return the best `count` basins that were found
   std::vector<OptimizerResult> coarse_stage(std::vector<OptimizerResult> results, int count) {
@@ -136,7 +138,7 @@ class Search {
   std::vector<Position> prior_candidates() {
     const Eigen::Index n = targets_.front()->dimension();
     std::vector<Position> positions;
-    for (int i = 0; i <= settings_.prior_draws; ++i)
+    for (int i = 0; i <= prior_draws(); ++i)
       positions.push_back({i == 0 ? Eigen::VectorXd::Zero(n) : rng_.normals(n), draw_levels(levels_, rng_)});
     return positions;
   }
