@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "engine/format.h"
 
@@ -12,14 +13,16 @@ std::string line_of(const RankedMaterial& m) {
   const std::string misfit = m.misfit ? format("%.1f", *m.misfit) : "";
   const std::string evidence =
       m.error ? format("%9.1f +- %.1f", m.log_evidence, *m.error) : format("%9.1f  about", m.log_evidence);
-  return format("%-12s %-18s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence.c_str(), m.probability,
-                m.parameters, misfit.c_str(), m.seconds);
+  const std::string quarters =
+      m.quarters.empty() ? "" : format("%.1f", std::accumulate(m.quarters.begin(), m.quarters.end(), 0.0));
+  return format("%-12s %-18s %9s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence.c_str(),
+                quarters.c_str(), m.probability, m.parameters, misfit.c_str(), m.seconds);
 }
 
 }  // namespace
 
 std::string ranking_table(const MaterialRanking& ranking) {
-  std::string text = "material      log evidence      probability  parameters  misfit   seconds\n";
+  std::string text = "material      log evidence        quarters probability  parameters  misfit   seconds\n";
   for (const RankedMaterial& material : ranking.materials) text += line_of(material);
   return text + ranking.sentence + "\n";
 }

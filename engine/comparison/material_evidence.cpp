@@ -11,6 +11,8 @@
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
+#include "engine/sampling/optimizer.h"
+#include "engine/sampling/parallel_for.h"
 #include "engine/sampling/sequential.h"
 #include "engine/summary/summary.h"
 
@@ -111,6 +113,23 @@ void MaterialEvidence::measure(int threads, RunControl& control,
   if (found.worst_correlation > kRemembered) evidence_.error = std::numeric_limits<double>::quiet_NaN();
 }
 
+void MaterialEvidence::foretell(int threads, RunControl& control,
+                                const std::function<void(double)>& progress) {
+  const Stopwatch stopwatch(seconds_);
+  constexpr std::size_t kQuarters = 4;
+  OptimizerSettings climb;
+  climb.max_iterations = 20;
+  quarters_.assign(kQuarters, 0);
+  const auto one = [&](std::size_t quarter) {
+    const auto q = static_cast<int>(quarter);
+    const Posterior seen = posterior_.of_quarter(3 - q, photo_), unseen = posterior_.of_quarter(q, photo_);
+    const Position match = maximize(ControlledDensity(seen, control), best_, climb).position;
+    quarters_[quarter] = -half_chi_square(ControlledDensity(unseen, control).value(match), match);
+  };
+  parallel_for(kQuarters, threads, one, [] { use_tensor_threads(1); });
+  progress(1);
+}
+
 void MaterialEvidence::compare_samples() {
   constexpr int kSamples = 3;
   const Eigen::VectorXd own = posterior_.predicted(best_);
@@ -131,6 +150,7 @@ RankedMaterial MaterialEvidence::ranked() const {
   ranked.parameters = static_cast<int>(table.continuous.size() + table.discrete.size());
   ranked.log_evidence = evidence_.value;
   if (std::isfinite(evidence_.error)) ranked.error = evidence_.error;
+  ranked.quarters = quarters_;
   ranked.match = posterior_.values(best_);
   ranked.misfit = std::sqrt(misfit_ / expected_misfit_);
   ranked.misfit_of_another_sample = misfit_of_another_sample_;

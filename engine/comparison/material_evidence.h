@@ -33,6 +33,10 @@ class MaterialEvidence {
   /// Sequential Monte Carlo. @throws RunStopped
   void measure(int threads, RunControl& control, const std::function<void(double)>& progress);
 
+  /// How well each quarter of the photo is foretold by the opposite one: a climb from the best match, jagged
+  /// coordinates held, that sees no other quarter. @throws RunStopped
+  void foretell(int threads, RunControl& control, const std::function<void(double)>& progress);
+
   /// How far renders with other irregularities are from that of the best match, on the average.
   void compare_samples();
 
@@ -46,6 +50,7 @@ class MaterialEvidence {
   Position best_;                        ///< the prior's means before a search
   double expected_misfit_, misfit_ = 0;  ///< half chi-squares
   std::optional<double> misfit_of_another_sample_;
+  std::vector<double> quarters_;
   double seconds_ = 0;
 };
 

@@ -65,10 +65,11 @@ class Ranking {
   }
 
   MaterialRanking run() {
-    const double searched = settings_.finalists > 0 ? 0.4 : 1;
+    const double foretold = settings_.finalists > 0 ? 0.4 : 1, searched = 0.9 * foretold;
     work_through(0, searched, "looking for a match in ", &MaterialEvidence::search);
+    work_through(searched, foretold, "foretelling quarters by ", &MaterialEvidence::foretell);
     drop_the_hopeless();
-    if (settings_.finalists > 0) work_through(searched, 1, "weighing ", &MaterialEvidence::measure);
+    if (settings_.finalists > 0) work_through(foretold, 1, "weighing ", &MaterialEvidence::measure);
     MaterialRanking ranking;
     for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
     for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());

@@ -40,6 +40,9 @@ struct RankedMaterial {
   double log_evidence = 0;
   /// Its Monte Carlo standard deviation; none of the first cut's (Laplace), nor where particles hardly moved.
   std::optional<double> error;
+  /// Log likelihoods of the photo's four quarters, each at the place that explains the opposite one best:
+  /// what a material that fits by chance does not foresee. Empty of a glance.
+  std::vector<double> quarters;
   double probability = 0;  ///< among the materials compared, all equally likely beforehand
   ParameterValues match;   ///< the best that was found
   /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
@@ -66,8 +69,9 @@ constexpr double kPoorMatch = 2;
 /// that take minutes (resources/compare), or, with materials that it does not know, the first cut alone.
 RankSettings first_cut(const RunSettings& settings, const Capture& capture);
 
-/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, then the best few
-/// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.
+/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation and by how well it
+/// foretells quarters of the photo, then the best few by sequential Monte Carlo (sampling/sequential.h). Safe
+/// to call from any thread; takes tens of seconds.
 /// @param photo     square, 3 channels, sRGB in [0,1]
 /// @param progress  called from this thread and others, one at a time, with the share that is done and what
 /// is

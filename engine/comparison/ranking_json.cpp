@@ -17,6 +17,7 @@ Json ranking_json(const MaterialRanking& ranking) {
                          {"parameters", m.parameters},
                          {"log_evidence", m.log_evidence},
                          {"error", m.error ? Json(*m.error) : Json(nullptr)},
+                         {"quarters", m.quarters},
                          {"probability", m.probability},
                          {"misfit", m.misfit ? Json(*m.misfit) : Json(nullptr)},
                          {"misfit_of_another_sample",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/format.h"
 
@@ -27,12 +28,31 @@ std::string none_fits(const RankedMaterial& best) {
   return sentence + ".";
 }
 
+/// Log likelihood of all quarters.
+double foretold(const RankedMaterial& material) {
+  return std::accumulate(material.quarters.begin(), material.quarters.end(), 0.0);
+}
+
 }  // namespace
 
 double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
 
 bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
   return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));
+}
+
+bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b) {
+  const std::size_t n = std::min(a.quarters.size(), b.quarters.size());
+  if (n < 2) return false;
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double ahead = b.quarters[i] - a.quarters[i];
+    sum += ahead;
+    squares += ahead * ahead;
+  }
+  const auto count = static_cast<double>(n);
+  const double mean = sum / count, variance = std::max(squares / count - mean * mean, 0.0);
+  return mean > 2 * std::sqrt(variance / (count - 1));
 }
 
 void put_in_order(std::vector<RankedMaterial>& materials) {
@@ -43,10 +63,16 @@ void put_in_order(std::vector<RankedMaterial>& materials) {
   for (const RankedMaterial& material : materials) total += std::exp(material.log_evidence - best);
   for (RankedMaterial& material : materials)
     material.probability = std::exp(material.log_evidence - best) / total;
-  auto simplest = materials.begin();
-  for (auto rival = materials.begin() + 1; rival != materials.end(); ++rival)
-    if (rival->parameters < simplest->parameters && within_error(*rival, materials.front())) simplest = rival;
-  std::rotate(materials.begin(), simplest, simplest + 1);
+  const auto tied = [&](const RankedMaterial& m) { return within_error(m, materials.front()); };
+  const RankedMaterial* seer = &materials.front();
+  for (const RankedMaterial& rival : materials)
+    if (tied(rival) && foretold(rival) > foretold(*seer)) seer = &rival;
+  auto preferred = materials.end();
+  for (auto rival = materials.begin(); rival != materials.end(); ++rival)
+    if (tied(*rival) && !foretells_worse(*rival, *seer) &&
+        (preferred == materials.end() || rival->parameters < preferred->parameters))
+      preferred = rival;
+  std::rotate(materials.begin(), preferred, preferred + 1);
 }
 
 std::string in_words(const MaterialRanking& ranking) {
@@ -56,10 +82,14 @@ std::string in_words(const MaterialRanking& ranking) {
   if (first.misfit.value_or(0) > kPoorMatch) return none_fits(first);
   if (all.size() == 1) return first.material + ", the only one compared.";
   const RankedMaterial& next = all[1];
-  if (within_error(first, next))
-    return first.material + " or " + next.material +
-           ": the photo cannot tell them apart within the error of the comparison" +
+  if (within_error(first, next)) {
+    const std::string both = first.material + " or " + next.material;
+    if (foretells_worse(next, first))
+      return both + ": the photo cannot tell them apart within the error of the comparison, but " +
+             first.material + " foretells quarters of it from the opposite ones better.";
+    return both + ": the photo cannot tell them apart within the error of the comparison" +
            (first.parameters < next.parameters ? ", and " + first.material + " is the simpler." : ".");
+  }
   return first.material + ", " + times(first.log_evidence - next.log_evidence) + " likelier than " +
          next.material + ", the next.";
 }

@@ -17,8 +17,12 @@ double error_of(const RankedMaterial& material);
 /// approximation where one has none, cover the difference.
 bool within_error(const RankedMaterial& a, const RankedMaterial& b);
 
-/// Best evidence first; but of those that are within error of the best the one with the fewest parameters
-/// comes first. Sets the probabilities.
+/// Whether a foretells the photo's quarters worse than b, by more than twice the standard error of four.
+bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b);
+
+/// Best evidence first; but of those that are within error of the best, and foretell the photo's quarters no
+/// worse than the best of these at that, the one with the fewest parameters comes first. Sets the
+/// probabilities.
 void put_in_order(std::vector<RankedMaterial>& materials);
 
 }  // namespace patina

@@ -21,6 +21,7 @@
 #include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
 #include "engine/posterior/regressed_likelihood.h"
+#include "engine/summary/quarter_summary.h"
 #include "engine/summary/summary.h"
 
 namespace patina {
@@ -53,12 +54,18 @@ struct Posterior::Parts {
               s.capture, s.resolution),
         space(table_under(model.material->table(), s.capture), s.priors, s.fixed),
         z(std::make_shared<const Irregularities>(s.z_seed)) {
+    compare_with(photo);
+  }
+
+  /// By the model's summary.
+  void compare_with(const Image& photo) {
     const int least = model.summary->minimum_resolution();
-    if (s.resolution < least)
-      throw UserError("The resolution " + std::to_string(s.resolution) +
+    if (settings.resolution < least)
+      throw UserError("The resolution " + std::to_string(settings.resolution) +
                       " is too small for this summary: use " + std::to_string(least) + " or more.");
     photo_summary = model.summary_of(photo);
-    inverse_sigma = inverse_sigmas(photo_summary, model.summary->blocks(), s.gram_sigma, s.mean_sigma);
+    inverse_sigma =
+        inverse_sigmas(photo_summary, model.summary->blocks(), settings.gram_sigma, settings.mean_sigma);
   }
 
   /// Summary of the render at parameter values, with its graph.
@@ -187,6 +194,14 @@ Posterior Posterior::with(std::shared_ptr<const RegressedLikelihood> likelihood)
   auto parts = std::make_unique<Parts>(*parts_);
   parts->calibrated = std::move(likelihood);
   parts->informed = informed();
+  return Posterior(std::move(parts));
+}
+
+Posterior Posterior::of_quarter(int quarter, const Image& photo) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->model.summary = std::make_shared<const QuarterSummary>(parts->model.summary, quarter);
+  parts->compare_with(photo);
+  parts->calibrated.reset();
   return Posterior(std::move(parts));
 }
 

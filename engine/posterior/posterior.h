@@ -96,6 +96,10 @@ class Posterior final : public LogDensity {
   /// discrete levels their prior.
   Posterior with(std::shared_ptr<const RegressedLikelihood> likelihood) const;
 
+  /// The same posterior given one quarter of the photo alone (QuarterSummary), irregularities included.
+  /// @param photo  the one that this posterior was made for
+  Posterior of_quarter(int quarter, const Image& photo) const;
+
   /// How far the render at a position is from the photo, part by part of the summary.
   std::vector<BlockMisfit> misfit(const Position& position) const;
 

@@ -36,6 +36,28 @@ TEST(Ranking, prefers_the_simpler_of_two_only_within_the_error_of_their_evidence
       << "a first cut is no better than that";
 }
 
+TEST(Ranking, prefers_what_foretells_quarters_of_the_photo_where_evidences_are_within_error) {
+  RankedMaterial plain = material("plain", -11, 0.5, 8), rich = material("rich", -10, 0.5, 20);
+  plain.quarters = {-9, -8, -9, -8};
+  rich.quarters = {-6, -5, -5, -6};
+  EXPECT_EQ(first_of({plain, rich}), "rich");
+  plain.quarters = {-9, -2, -7, -3};
+  EXPECT_EQ(first_of({plain, rich}), "plain") << "no clear difference";
+  plain.quarters = {-3, -2, -3, -2};
+  plain.log_evidence = -20;
+  EXPECT_EQ(first_of({plain, rich}), "rich") << "quarters decide between equals alone";
+}
+
+TEST(Ranking, says_what_quarters_decided) {
+  MaterialRanking ranking;
+  ranking.materials = {material("leather", -10, 0.5, 15), material("plaster", -9.5, 0.5, 13)};
+  ranking.materials[0].quarters = {-6, -5, -5, -6};
+  ranking.materials[1].quarters = {-9, -8, -9, -8};
+  EXPECT_NE(in_words(ranking).find("leather foretells quarters"), std::string::npos) << in_words(ranking);
+  ranking.materials[1].quarters = ranking.materials[0].quarters;
+  EXPECT_EQ(in_words(ranking).find("foretells"), std::string::npos) << in_words(ranking);
+}
+
 TEST(Ranking, probabilities_are_those_of_equally_likely_materials) {
   std::vector<RankedMaterial> all{material("a", -1000, 0.1, 1), material("b", -1000 + std::log(3), 0.1, 2)};
   put_in_order(all);
@@ -121,6 +143,9 @@ TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
   EXPECT_EQ(ranking->materials[0].material, "bump");
   EXPECT_GT(ranking->materials[0].log_evidence, ranking->materials[1].log_evidence + 10);
   EXPECT_FALSE(ranking->materials[0].error) << "a first cut has no error to tell";
+  EXPECT_EQ(ranking->materials[0].quarters.size(), 4u);
+  EXPECT_TRUE(foretells_worse(ranking->materials[1], ranking->materials[0]));
+  EXPECT_FALSE(foretells_worse(ranking->materials[0], ranking->materials[1]));
   const ParameterTable table = Renderer("bump", 1, Capture{}).table();
   const std::vector<double>& match = ranking->materials[0].match.continuous;
   EXPECT_GT(match[*table.find_continuous("albedo_r")], 2 * match[*table.find_continuous("albedo_g")]);
@@ -137,6 +162,7 @@ TEST_F(RankMaterials, glances_at_all_of_them_in_no_time_and_leaves_out_what_take
   double total = 0;
   for (const RankedMaterial& m : all->materials) {
     EXPECT_FALSE(m.misfit || m.error);
+    EXPECT_TRUE(m.quarters.empty());
     EXPECT_EQ(m.match.continuous.size(), material_table(m.material).continuous.size());
     total += m.probability;
   }

@@ -197,6 +197,29 @@ TEST(Posterior, AReplacedPriorBoundsTheValues) {
   }
 }
 
+TEST(Posterior, OfAQuarterSeesNoOther) {
+  const Image photo = synthetic_photo("bump", 2);
+  PosteriorSettings settings = settings_for("bump");
+  settings.summary = "means";
+  const Posterior whole(settings, photo);
+  const Position middle = whole.position(prior_location(whole.table()));
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double untouched = whole.of_quarter(quarter, photo).value(middle).log_density;
+    for (int dark = 0; dark < 4; ++dark) {
+      Image darkened = photo;
+      const int half = photo.width / 2, top = dark / 2 * half, left = dark % 2 * half;
+      for (int row = 0; row < half; ++row)
+        for (int column = 0; column < half; ++column)
+          for (int c = 0; c < 3; ++c) darkened.at(top + row, left + column, c) *= 0.5f;
+      const double seen = whole.of_quarter(quarter, darkened).value(middle).log_density;
+      if (dark == quarter)
+        EXPECT_LT(seen, untouched - 1) << quarter;
+      else
+        EXPECT_EQ(seen, untouched) << quarter << ' ' << dark;
+    }
+  }
+}
+
 TEST(Posterior, APositionThatIsNotFiniteIsOutsideTheSupport) {
   const Posterior posterior(settings_for("bump"), synthetic_photo("bump", 2));
   Position position{Eigen::VectorXd::Zero(posterior.dimension()), Eigen::VectorXi(0)};

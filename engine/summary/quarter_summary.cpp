@@ -1,0 +1,20 @@
+#include "engine/summary/quarter_summary.h"
+
+#include <cassert>
+#include <utility>
+
+namespace patina {
+
+QuarterSummary::QuarterSummary(std::shared_ptr<const Summary> whole, int quarter)
+    : whole_(std::move(whole)), quarter_(quarter) {
+  assert(quarter >= 0 && quarter < 4);
+}
+
+at::Tensor QuarterSummary::operator()(const at::Tensor& image) const {
+  const std::int64_t side = image.size(1) / 2;
+  const auto first = [&](bool second_half) { return second_half ? image.size(1) - side : 0; };
+  return (*whole_)(
+      image.narrow(1, first(quarter_ / 2), side).narrow(2, first(quarter_ % 2), side).contiguous());
+}
+
+}  // namespace patina
