@@ -85,9 +85,10 @@ struct View {
   std::function<Eigen::VectorXf(const Image&, const Capture&)> look;
 };
 
+/// A photo's pixels are means over their area: all are rendered at twice the pixels.
 View view_of_parameters() {
   const PhotoFeatures features(Predictor::kSide);
-  return {Predictor::kSide, 4, features.size(), features};
+  return {Predictor::kSide, 1, features.size(), features};
 }
 
 View view_of_structure() {

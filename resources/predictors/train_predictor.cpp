@@ -21,7 +21,7 @@ namespace {
 struct Options {
   std::string material;
   std::filesystem::path out, data;
-  int photos = 8000, held_back = 1000, threads = 2;
+  int photos = 20000, held_back = 1000, threads = 2;
   std::int64_t hidden = 96;
   TrainingSettings training;
 };
