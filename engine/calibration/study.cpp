@@ -8,7 +8,7 @@
 
 #include "engine/calibration/coverage.h"
 #include "engine/diagnostics/convergence.h"
-#include "engine/material/renderer.h"
+#include "engine/material/irregularities.h"
 #include "engine/posterior/regressed_likelihood.h"
 #include "engine/run/predicted_start.h"
 #include "engine/sampling/finite_evaluation.h"
@@ -59,10 +59,7 @@ Case make_case(const StudySettings& study, const Posterior& any, int photo, Rng&
   PosteriorSettings settings = study.posterior;
   settings.z_seed = kRuns + offset;
   const Position truth = prior_draw(any, rng);
-  const Renderer renderer(settings.material, kPhotos + offset, settings.capture);
-  const Camera& camera = study.camera;
-  const Image render = renderer.render(any.values(truth), settings.resolution * camera.oversampling);
-  Image taken = photographed(render, camera, rng);
+  Image taken = any.simulated_photo(truth, Irregularities(kPhotos + offset), study.camera, rng);
   Posterior posterior(settings, taken);
   return {std::move(taken), std::move(posterior), truth};
 }

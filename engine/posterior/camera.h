@@ -7,7 +7,10 @@ namespace patina {
 
 /// What stands between a surface's image and the photo of it that is compared with renders.
 struct Camera {
-  int oversampling = 2;     ///< pixels of the photo for each that is compared, along a side
+  int oversampling = 2;  ///< pixels of the photo for each that is compared, along a side
+  /// Pixels of a side at least, of materials whose pixels are not their middles (Material::oversampling()):
+  /// so that predictors, which look at half as many, are shown means as they are by photos.
+  int least_side = 256;
   double electrons = 5000;  ///< that white frees in a pixel: shot noise is their square root
   double read_noise = 3;    ///< electrons, root mean square
   int jpeg_quality = 92;

@@ -5,6 +5,7 @@
 #include <ATen/ops/matmul.h>
 #include <ATen/ops/tensor.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <utility>
@@ -49,7 +50,8 @@ at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
 Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,
                           Rng& rng) const {
   const at::NoGradGuard no_grad;
-  const int side = resolution * camera.oversampling;
+  const int asked = resolution * camera.oversampling;
+  const int side = material->oversampling() > 1 ? std::max(asked, camera.least_side) : asked;
   const Surface surface =
       material->surface(at::tensor(values.continuous, at::kFloat), values.discrete, z, capture, side);
   return photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);

@@ -28,7 +28,7 @@ struct ForwardModel {
   at::Tensor summary_of_render(const ParameterTensors& parameters, const std::vector<int>& discrete,
                                const Irregularities& z) const;
 
-  /// That a camera takes, with Camera::oversampling times the pixels that are compared.
+  /// That a camera takes, with Camera::oversampling times the pixels that are compared, or its least side.
   Image photo(const ParameterValues& values, const Irregularities& z, const Camera& camera, Rng& rng) const;
 
   /// Of one that photo() has made: faster than summary_of(), and the same but for rounding.

@@ -3,7 +3,7 @@
 #   tests/bench/fit-photos.sh DATA BIN [patina-cli fit options, for example --map-only]
 #   tests/bench/fit-photos.sh DATA BIN --predict        scores the predictors' first guesses instead
 # DATA holds photos/ and tools/appearance_distance.py; BIN is the folder of patina-cli. Prints a Markdown table.
-# Only material and size are given, as a user would: nothing is tuned by hand for a photo.
+# PHOTOS="leather_3 wood_5" does only those. Only material and size are given, as a user would: nothing is tuned by hand for a photo.
 set -euo pipefail
 data=$(realpath "$1") cli=$(realpath "$2")/patina-cli
 shift 2
@@ -25,6 +25,7 @@ wood_5 wood 20 0.157 2.2"
 echo "| photo | texture | the paper's | colour | the paper's | seconds |"
 echo "|---|---|---|---|---|---|"
 while read -r photo material size paper_texture paper_colour; do
+  [[ -z ${PHOTOS:-} || " $PHOTOS " == *" $photo "* ]] || continue
   began=$SECONDS
   if [[ ${1:-} == --predict ]]; then
     "$cli" predict "$data/photos/$photo.jpg" --material "$material" --size-cm "$size" --out "$work/$photo.json" >&2

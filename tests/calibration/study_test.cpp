@@ -19,6 +19,7 @@ StudySettings small_study() {
   study.posterior.resolution = 32;
   study.calibrated = true;
   study.simulations = {.pilot = 300, .round = 120, .most_rounds = 3};
+  study.camera.least_side = 0;  // cheap photos
   study.warmup = 150;
   study.draws = 200;
   return study;

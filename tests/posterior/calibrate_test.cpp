@@ -10,6 +10,7 @@ namespace patina {
 namespace {
 
 constexpr int kResolution = 32;
+constexpr Camera kSmall{.least_side = 0};
 constexpr CalibrationSettings kFew{.pilot = 200, .round = 120, .most_rounds = 2};
 
 /// Of cheap renders.
@@ -24,15 +25,14 @@ Posterior small_posterior(const std::string& material, const Image& photo) {
 /// With other irregularities than a posterior's.
 Image photo_of_prior_location(const std::string& material) {
   const Renderer renderer(material, 2, Capture{});
-  const Camera camera;
   Rng rng(5);
-  const int side = kResolution * camera.oversampling;
-  return photographed(renderer.render(prior_location(renderer.table()), side), camera, rng);
+  const int side = kResolution * kSmall.oversampling;
+  return photographed(renderer.render(prior_location(renderer.table()), side), kSmall, rng);
 }
 
 Calibration calibration_of(const Posterior& posterior, int threads = 1) {
   const auto pool = make_pool(posterior.table(), 100);
-  const Simulator simulator{.posterior = posterior, .pool = *pool, .camera = {}, .threads = threads};
+  const Simulator simulator{.posterior = posterior, .pool = *pool, .camera = kSmall, .threads = threads};
   const Pilot pilot(simulator, kFew.pilot);
   return calibrate(
       simulator, {}, [&]() -> const Pilot& { return pilot; }, kFew);
