@@ -41,6 +41,8 @@ void check(const Options& options) {
   check_resolution(study.posterior.resolution);
   if (options.photos < 1 || options.photos > 99'999) throw UserError("--photos must be from 1 to 99999.");
   if (options.threads < 1 || options.threads > 1000) throw UserError("--threads must be from 1 to 1000.");
+  if (study.camera.least_side < 0 || study.camera.least_side > 8192)
+    throw UserError("--photo-pixels must be from 0 to 8192.");
   if (study.chains < 2 || study.draws < 20 || study.warmup < 20)
     throw UserError("--chains must be at least 2, --draws and --warmup at least 20.");
   if (!(study.error_scale > 0 && study.error_scale <= 100))
@@ -67,6 +69,7 @@ std::string study_text(const StudySettings& study) {
                      " --summary " + study.posterior.summary + " --seed " + std::to_string(study.seed) +
                      " --chains " + std::to_string(study.chains) + " --warmup " +
                      std::to_string(study.warmup) + " --draws " + std::to_string(study.draws);
+  text += " --photo-pixels " + std::to_string(study.camera.least_side);
   if (study.calibrated) text += " --pilot " + std::to_string(study.simulations.pilot);
   if (study.error_scale != 1) text += " --error-scale " + std::to_string(study.error_scale);
   return text;
@@ -176,6 +179,10 @@ void add_study(CLI::App& command, Options& options) {
   command
       .add_option("--resolution", options.study.posterior.resolution,
                   "Pixels a side at which renders are compared with a photo")
+      ->capture_default_str();
+  command
+      .add_option("--photo-pixels", options.study.camera.least_side,
+                  "Pixels a side that a photo has at least, where a pixel is not its middle")
       ->capture_default_str();
   command
       .add_option("--summary", options.summary,
