@@ -136,9 +136,10 @@ std::vector<OutcomeFile> studies_in(const std::filesystem::path& folder) {
 constexpr const char* kIntroduction = R"(# Do intervals hold the truth?
 
 Every photo below is made: parameters are drawn from the prior, rendered with irregularities that no run knows, and photographed (sensor
-noise, 8 bits, JPEG) with twice the pixels that are compared or, unless a pixel is its middle anyway, --photo-pixels. A run explains the photo, and
-the truth either lies in its interval or not. Of many photos a 90 % interval should hold 90 % (± the binomial standard error), and the truth's rank among the draws should be uniform: its chi-square in ten bins has 9 degrees of
-freedom, p is that of a larger one. A parameter is identified where its posterior's sd is on average below 0.9 of the prior's; **bold** is what is
+noise, 8 bits, JPEG) with twice the pixels that are compared or, unless a pixel is its middle anyway, --photo-pixels. A run explains the photo,
+and the truth either lies in its interval or not. Of many photos a 90 % interval should hold 90 % (± the binomial standard error), and the
+truth's rank among the draws should be uniform: its chi-square in ten bins has 9 degrees of freedom, p is that of a larger one. A parameter
+is identified where its posterior's sd is on average below 0.9 of the prior's; **bold** is what is
 identified and not covered 85 to 95 % by the 90 % interval. `lp` is the log posterior density, whose rank asks whether the likelihood is the
 photos' own.
 
