@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
+#include "engine/comparison/ranking_words.h"
 #include "engine/format.h"
 
 namespace patina {
@@ -13,8 +13,7 @@ std::string line_of(const RankedMaterial& m) {
   const std::string misfit = m.misfit ? format("%.1f", *m.misfit) : "";
   const std::string evidence =
       m.error ? format("%9.1f +- %.1f", m.log_evidence, *m.error) : format("%9.1f  about", m.log_evidence);
-  const std::string quarters =
-      m.quarters.empty() ? "" : format("%.1f", std::accumulate(m.quarters.begin(), m.quarters.end(), 0.0));
+  const std::string quarters = m.quarters.empty() ? "" : format("%.1f", foretold(m));
   return format("%-12s %-18s %9s %11.2g %11d %7s %9.1f\n", m.material.c_str(), evidence.c_str(),
                 quarters.c_str(), m.probability, m.parameters, misfit.c_str(), m.seconds);
 }

@@ -116,17 +116,19 @@ void MaterialEvidence::measure(int threads, RunControl& control,
 void MaterialEvidence::foretell(int threads, RunControl& control,
                                 const std::function<void(double)>& progress) {
   const Stopwatch stopwatch(seconds_);
-  constexpr std::size_t kQuarters = 4;
-  OptimizerSettings climb;
-  climb.max_iterations = 20;
-  quarters_.assign(kQuarters, 0);
-  const auto one = [&](std::size_t quarter) {
-    const auto q = static_cast<int>(quarter);
-    const Posterior seen = posterior_.of_quarter(3 - q, photo_), unseen = posterior_.of_quarter(q, photo_);
-    const Position match = maximize(ControlledDensity(seen, control), best_, climb).position;
-    quarters_[quarter] = -half_chi_square(ControlledDensity(unseen, control).value(match), match);
-  };
-  parallel_for(kQuarters, threads, one, [] { use_tensor_threads(1); });
+  if (settings_.resolution >= 2 * make_summary(settings_.summary, settings_.network)->minimum_resolution()) {
+    std::vector<Posterior> quarters;
+    for (int quarter = 0; quarter < 4; ++quarter) quarters.push_back(posterior_.of_quarter(quarter, photo_));
+    quarters_.assign(quarters.size(), 0);
+    OptimizerSettings climb;
+    climb.max_iterations = 20;
+    const auto one = [&](std::size_t q) {
+      const ControlledDensity seen(quarters[3 - q], control), unseen(quarters[q], control);
+      const Position match = maximize(seen, best_, climb).position;
+      quarters_[q] = -half_chi_square(unseen.value(match), match);
+    };
+    parallel_for(quarters.size(), threads, one, [] { use_tensor_threads(1); });
+  }
   progress(1);
 }
 

@@ -41,7 +41,8 @@ struct RankedMaterial {
   /// Its Monte Carlo standard deviation; none of the first cut's (Laplace), nor where particles hardly moved.
   std::optional<double> error;
   /// Log likelihoods of the photo's four quarters, each at the place that explains the opposite one best:
-  /// what a material that fits by chance does not foresee. Empty of a glance.
+  /// what a material that fits by chance does not foresee. Empty of a glance, and where quarters have too few
+  /// pixels for the summary.
   std::vector<double> quarters;
   double probability = 0;  ///< among the materials compared, all equally likely beforehand
   ParameterValues match;   ///< the best that was found

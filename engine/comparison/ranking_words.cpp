@@ -1,5 +1,7 @@
 #include "engine/comparison/ranking_words.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -28,11 +30,6 @@ std::string none_fits(const RankedMaterial& best) {
   return sentence + ".";
 }
 
-/// Log likelihood of all quarters.
-double foretold(const RankedMaterial& material) {
-  return std::accumulate(material.quarters.begin(), material.quarters.end(), 0.0);
-}
-
 }  // namespace
 
 double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
@@ -41,18 +38,18 @@ bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
   return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));
 }
 
+double foretold(const RankedMaterial& material) {
+  return std::accumulate(material.quarters.begin(), material.quarters.end(), 0.0);
+}
+
 bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b) {
   const std::size_t n = std::min(a.quarters.size(), b.quarters.size());
   if (n < 2) return false;
-  double sum = 0, squares = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double ahead = b.quarters[i] - a.quarters[i];
-    sum += ahead;
-    squares += ahead * ahead;
-  }
-  const auto count = static_cast<double>(n);
-  const double mean = sum / count, variance = std::max(squares / count - mean * mean, 0.0);
-  return mean > 2 * std::sqrt(variance / (count - 1));
+  const auto count = static_cast<Eigen::Index>(n);
+  const Eigen::ArrayXd ahead = Eigen::Map<const Eigen::ArrayXd>(b.quarters.data(), count) -
+                               Eigen::Map<const Eigen::ArrayXd>(a.quarters.data(), count);
+  const double variance = (ahead - ahead.mean()).square().sum() / static_cast<double>(n - 1);
+  return ahead.mean() > 2 * std::sqrt(variance / static_cast<double>(n));
 }
 
 void put_in_order(std::vector<RankedMaterial>& materials) {

@@ -17,6 +17,9 @@ double error_of(const RankedMaterial& material);
 /// approximation where one has none, cover the difference.
 bool within_error(const RankedMaterial& a, const RankedMaterial& b);
 
+/// Log likelihood of all quarters of the photo.
+double foretold(const RankedMaterial& material);
+
 /// Whether a foretells the photo's quarters worse than b, by more than twice the standard error of four.
 bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b);
 

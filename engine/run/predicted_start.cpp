@@ -12,6 +12,8 @@
 namespace patina {
 namespace {
 
+static_assert(Camera{}.least_side == 2 * Predictor::kSide, "predictors are to see pixels that are means");
+
 constexpr int kDraws = 7;
 constexpr std::uint64_t kStream = 0x7072'6564;  // of the seed; chains have 1, 2, ...
 

@@ -11,8 +11,8 @@
 namespace patina {
 
 struct MapSearchSettings {
-  int prior_draws =
-      64;  ///< candidates N(0, I), levels uniform, on the coarsest target; none where populations evolve
+  /// Candidates N(0, I), discrete levels uniform, on the coarsest target; none where populations evolve.
+  int prior_draws = 64;
   std::vector<Position> guesses =
       {};               ///< the best three are climbed from as well, and have a finalist of theirs
   int descents = 8;     ///< best candidates that are climbed from on the coarsest target

@@ -3,7 +3,8 @@
 #   tests/bench/fit-photos.sh DATA BIN [patina-cli fit options, for example --map-only]
 #   tests/bench/fit-photos.sh DATA BIN --predict        scores the predictors' first guesses instead
 # DATA holds photos/ and tools/appearance_distance.py; BIN is the folder of patina-cli. Prints a Markdown table.
-# PHOTOS="leather_3 wood_5" does only those. Only material and size are given, as a user would: nothing is tuned by hand for a photo.
+# PHOTOS="leather_3 wood_5" does only those. Only material and size are given, as a user would: nothing is tuned by
+# hand for a photo.
 set -euo pipefail
 data=$(realpath "$1") cli=$(realpath "$2")/patina-cli
 shift 2

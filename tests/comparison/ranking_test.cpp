@@ -205,6 +205,15 @@ TEST_F(RankMaterials, finds_by_sequential_monte_carlo_what_laplace_finds_about) 
   }
 }
 
+TEST_F(RankMaterials, goes_without_quarters_where_they_have_too_few_pixels_for_the_summary) {
+  RankSettings settings = quick();
+  settings.materials = {"translucent"};
+  settings.summary = "gram";
+  const auto ranking = rank_materials(red_bump(), settings);
+  ASSERT_TRUE(ranking);
+  EXPECT_TRUE(ranking->materials[0].quarters.empty());
+}
+
 TEST_F(RankMaterials, does_not_depend_on_the_threads) {
   RankSettings one = quick();
   one.materials = {"bump"};
