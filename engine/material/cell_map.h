@@ -6,9 +6,9 @@
 
 namespace patina {
 
-/// A periodic Voronoi map of some thousands of cells: 0 on the edges between cells, rising to 1 inside
+/// A periodic Voronoi map of some thousands of cells: least on the edges between cells, rising to 1 inside
 /// (models.md, "The maps").
-/// @return [1, 1, size, size] in [0,1]
+/// @return [1, 1, size, size] in [0.15,1]
 at::Tensor make_cell_map(std::uint64_t seed, std::uint64_t stream, int size);
 
 }  // namespace patina

@@ -111,8 +111,8 @@ bool is_left_to_chance(const Reference& reference) {
   return reference.name == "plaster_1.png" || reference.name == "plaster_2.png";
 }
 
-// What a spread over three z leaves open, in 8-bit levels and in log energy. The references' cells and noise
-// are other maps than ours: more of the leathers' detail is coarse, and the noise has fewer spots.
+// What a spread over three z leaves open, in 8-bit levels and in log energy. The references' noise
+// is another map than ours and has fewer spots.
 double level_tolerance(const Reference& reference) {
   if (is_left_to_chance(reference)) return 10;
   return reference.material == "wood" ? 2.5 : 1;  // wherever its few rings meet the highlight
@@ -120,8 +120,8 @@ double level_tolerance(const Reference& reference) {
 
 double log_energy_tolerance(const Reference& reference) {
   if (is_left_to_chance(reference)) return 0.5;
-  if (reference.material == "leather") return 0.2;
-  return reference.material == "plaster" || reference.material == "metal" ? 0.15 : 0.1;
+  const std::string& material = reference.material;
+  return material == "leather" || material == "plaster" || material == "metal" ? 0.15 : 0.1;
 }
 
 /// Factors that make another material of it: by the size of its features, and by their strength.
