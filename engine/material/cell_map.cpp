@@ -61,9 +61,9 @@ class Sites {
     auto site = sites.begin();
     for (int i = row - kReach; i <= row + kReach; ++i)
       for (int j = column - kReach; j <= column + kReach; ++j) {
-        const Point& site_of =
+        const Point& offset =
             of_bin_[static_cast<std::size_t>((i + kBins) % kBins * kBins + (j + kBins) % kBins)];
-        *site++ = {static_cast<float>(j) + site_of.x, static_cast<float>(i) + site_of.y};
+        *site++ = {static_cast<float>(j) + offset.x, static_cast<float>(i) + offset.y};
       }
     return sites;
   }

@@ -27,8 +27,7 @@ Surface Leather::surface(const ParameterTensors& p, std::span<const int> discret
       look_up(z.cells_and_noise(discrete[0], discrete[1]), scale, shift_x, shift_y, resolution);
   const at::Tensor cells = without_neighbours(maps[0]);
 
-  // C^power, with a slope at the bottom of the creases that stays finite.
-  const at::Tensor raised = (maps[0].clamp_min(1e-4).log() * power).exp();
+  const at::Tensor raised = (maps[0].log() * power).exp();  // C^power; C is nowhere near 0 (cell_map.h)
 
   Surface surface;
   const at::Tensor heights = at::hardtanh(height * raised, 0, 1) + noise_scale * (2 * maps[1] - 1);
