@@ -5,6 +5,7 @@
 #include <ATen/ops/conv2d.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/pad.h>
+#include <ATen/ops/softplus.h>
 
 #include <algorithm>
 #include <array>
@@ -28,8 +29,9 @@ constexpr int kReach = 3;        // bins to look around: as far as an edge shows
 // From the profile to values whose quantiles are those of models.md's cells.
 constexpr double kSlope = 1.58, kBottom = -0.503;
 // Where many edges meet values would fall to 0, of which C^power makes pits that no leather has; matches of
-// photographs were full of them. With 0.25 the distance to the renders is 0.08.
-constexpr double kFloor = 0.15;
+// photographs were full of them. With 0.25 the distance to the renders is 0.08. Rounded, for a rim would
+// shine.
+constexpr double kFloor = 0.15, kRounding = 0.015;
 
 struct Point {
   float x, y;  ///< in bins
@@ -122,7 +124,8 @@ at::Tensor make_cell_map(std::uint64_t seed, std::uint64_t stream, int size) {
   }
   // As steep beside an edge as its width lets it be, round at its bottom and flat inside.
   const at::Tensor profile = blurred((distances / kEdge).tanh(), kEdge * size / kBins);
-  return (profile * kSlope + kBottom).clamp(kFloor, 1).contiguous();
+  const at::Tensor above = at::softplus(profile * kSlope + (kBottom - kFloor), 1 / kRounding);
+  return (above + kFloor).clamp_max(1).contiguous();
 }
 
 }  // namespace patina
