@@ -75,6 +75,12 @@ int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates
   return std::max(settings.round, 6 * (1 + 2 * static_cast<int>(coordinates)));
 }
 
+/// Of freedom, of the t that errors are taken for in the end: the dozen or two photos that say how much
+/// photos like this one err say it no better, and those of photos left out of two of bump, flake, leather and
+/// wood have tails of 8 to 20. Of 100 photos of metal, truths' log densities were among the draws' 10 %
+/// highest or lowest 36 times without, and 20 times so.
+constexpr double kDegrees = 12;
+
 Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
                       const CalibrationSettings& settings) {
   const Posterior& posterior = simulator.posterior;
@@ -102,6 +108,7 @@ Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
     if (hopeless || round >= settings.most_rounds || (round > 1 && settled(region, mode, covariance))) {
       result.likelihood = result.likelihood.widened(result.fit.widening);
       approximate(posterior, result.mode, result);
+      result.likelihood = result.likelihood.heavy_tailed(kDegrees);
       return result;
     }
     taught.emplace(simulated.offsets, simulated.summaries, compression);

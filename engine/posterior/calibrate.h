@@ -34,7 +34,8 @@ struct Calibration {
 /// are simulated about as far as the posterior reaches, by the round before; the likelihood that they make
 /// moves and narrows the posterior; and they say by what scores the next round's are compared, beside the
 /// first round's, which are guesses or, without these and for photos with hand-set errors, a pilot's. It ends
-/// with the second round whose posterior is where, and as wide as, its photos are.
+/// with the second round whose posterior is where, and as wide as, its photos are. Rounds and their normal
+/// approximations take errors for normal, the likelihood that is left has their heavier tails.
 /// @param simulator  of the photo's posterior   @param pilot  is asked for it at most where it is needed
 Calibration calibrate(const Simulator& simulator, const Image& photo,
                       const std::function<const Pilot&()>& pilot, const CalibrationSettings& settings);

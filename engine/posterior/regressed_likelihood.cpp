@@ -12,6 +12,9 @@
 namespace patina {
 namespace {
 
+// A direction that keeps more of its variance is not told: where it would be seen is all but chance.
+constexpr double kTold = 0.9;
+
 double trusted_radius(Eigen::Index dimension) { return std::sqrt(static_cast<double>(dimension)) + 3; }
 
 /// The correlations of columns of variance 1, shrunk to none by as much as makes the expected squared error
@@ -42,25 +45,36 @@ RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::Matr
   assert(offsets.cols() >= 3 * (1 + scores.rows()));
   const LocalRegression local = local_regression(offsets, scores, observed);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_of(local));
-  // No direction is known to the last digit, or less well than before the photo.
-  const Eigen::VectorXd variances = solver.eigenvalues().cwiseMax(1e-8).cwiseMin(1.0);
   const Eigen::MatrixXd& axes = solver.eigenvectors();
-  precision_ = axes * (variances.cwiseInverse().array() - 1).matrix().asDiagonal() * axes.transpose();
-  pull_ = axes * variances.cwiseInverse().asDiagonal() * axes.transpose() * local.mean;
+  // No direction is known to the last digit, or less well than before the photo.
+  const Eigen::ArrayXd variances = solver.eigenvalues().array().cwiseMax(1e-8).cwiseMin(1.0);
+  const Eigen::ArrayXd told = (variances < kTold).cast<double>();
+  const Eigen::ArrayXd along = (axes.transpose() * local.mean).array();
+  told_ = told.sum();
+  precision_ = axes * (told * (1 - variances) / variances).matrix().asDiagonal() * axes.transpose();
+  place_ = axes * (told > 0).select(along / (1 - variances), 0).matrix();
 }
 
 RegressedLikelihood RegressedLikelihood::widened(double times) const {
   RegressedLikelihood wider = *this;
   wider.precision_ /= times;
-  wider.pull_ /= times;
   return wider;
+}
+
+RegressedLikelihood RegressedLikelihood::heavy_tailed(double degrees_of_freedom) const {
+  RegressedLikelihood heavier = *this;
+  heavier.degrees_ = degrees_of_freedom;
+  return heavier;
 }
 
 Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) const {
   const Eigen::VectorXd v = region_.offset(coordinates);
+  const Eigen::VectorXd pull = precision_ * (v - place_);
+  const double square = pull.dot(v - place_);
+  const bool normal = std::isinf(degrees_);
+  double misfit = 0.5 * (normal ? square : (degrees_ + told_) * std::log1p(square / degrees_));
+  Eigen::VectorXd slope = normal ? pull : Eigen::VectorXd((degrees_ + told_) / (degrees_ + square) * pull);
   const double radius = trusted_radius(v.size()), distance = v.norm();
-  double misfit = v.dot(0.5 * precision_ * v - pull_);
-  Eigen::VectorXd slope = precision_ * v - pull_;
   if (distance > radius) {
     misfit += 0.5 * (distance - radius) * (distance - radius);
     slope += (distance - radius) / distance * v;
@@ -71,13 +85,14 @@ Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) con
 bool RegressedLikelihood::is_of(Eigen::Index coordinates) const {
   const bool sized = region_.centre.size() == coordinates && region_.factor.rows() == coordinates &&
                      region_.factor.cols() == coordinates && precision_.rows() == coordinates &&
-                     precision_.cols() == coordinates && pull_.size() == coordinates;
+                     precision_.cols() == coordinates && place_.size() == coordinates;
   return sized && region_.centre.allFinite() && region_.factor.allFinite() &&
-         (region_.factor.diagonal().array() > 0).all() && precision_.allFinite() && pull_.allFinite();
+         (region_.factor.diagonal().array() > 0).all() && precision_.allFinite() && place_.allFinite() &&
+         degrees_ > 0 && told_ >= 0 && told_ <= static_cast<double>(coordinates);
 }
 
 void RegressedLikelihood::serialise(Archive& archive) {
-  archive(region_.centre, region_.factor, precision_, pull_);
+  archive(region_.centre, region_.factor, precision_, place_, told_, degrees_);
 }
 
 }  // namespace patina

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 #include "engine/posterior/region.h"
 #include "engine/sampling/log_density.h"
 
@@ -14,14 +16,14 @@ class Archive;
 /// are regressed on scores, see LocalRegression:
 ///   v | scores ~ N(m, S): m linear in the scores; S the covariance of the residuals, each as it would be,
 ///   had the other photos alone been regressed, wider by what is unknown of m.
-/// The likelihood is N(m, S) over N(0, I), exp(-v^T P v / 2 + b^T v), P = S^-1 - I, b = S^-1 m: the posterior
-/// under any prior follows. Irregularities are averaged over, so that they count once, the photo's; jagged
-/// coordinates are smooth; and what scores do not tell cannot seem known, for S is judged by photos that the
-/// regression has not seen.
-/// The scores must have been chosen by other photos: of far more entries than photos some seem to know the
-/// coordinates by chance, in the photos that they were chosen by.
-/// It is to be trusted where there were simulations: beyond sqrt(m) + 3 of their standard deviations it falls
-/// as a normal density does, so that no far-away point looks good for what was never simulated.
+/// The likelihood is N(m, S) over N(0, I): exp(-Q / 2), Q = (v - p)^T (S^-1 - I) (v - p), p = (I - S)^-1 m, a
+/// place that is seen with errors, and the posterior under any prior follows. Irregularities are averaged
+/// over, so that they count once, the photo's; jagged coordinates are smooth; and what scores do not tell
+/// cannot seem known, for S is judged by photos that the regression has not seen. The scores must have been
+/// chosen by other photos: of far more entries than photos some seem to know the coordinates by chance, in
+/// the photos that they were chosen by. It is to be trusted where there were simulations: beyond sqrt(m) + 3
+/// of their standard deviations it falls as a normal density does, so that no far-away point looks good for
+/// what was never simulated.
 class RegressedLikelihood {
  public:
   RegressedLikelihood() = default;
@@ -34,6 +36,11 @@ class RegressedLikelihood {
   /// The same with errors of so many times the variance.
   RegressedLikelihood widened(double times) const;
 
+  /// The same where S is known by few photos, or some err more than others in all directions at once:
+  /// (1 + Q / degrees)^(-(degrees + k) / 2) in place of exp(-Q / 2), k the number of directions that are told
+  /// (a t likelihood, as Sellentin & Heavens 2016 have it for covariances that are estimated).
+  RegressedLikelihood heavy_tailed(double degrees_of_freedom) const;
+
   /// Log likelihood and its gradient.
   Evaluation evaluate(const Eigen::VectorXd& coordinates) const;
 
@@ -44,8 +51,10 @@ class RegressedLikelihood {
 
  private:
   Region region_;
-  Eigen::MatrixXd precision_;  ///< P
-  Eigen::VectorXd pull_;       ///< b
+  Eigen::MatrixXd precision_;  ///< S^-1 - I, of the directions that are told
+  Eigen::VectorXd place_;      ///< p, likewise
+  double told_ = 0;            ///< their number
+  double degrees_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace patina

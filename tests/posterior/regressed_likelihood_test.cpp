@@ -74,15 +74,28 @@ TEST(RegressedLikelihood, HasTheGradientThatDifferencesHaveInsideTheSimulatedReg
   Rng rng(3);
   const ToySimulator toy = ToySimulator::correlated(rng);
   const Eigen::VectorXd photo = toy.photo(rng.normals(2), rng);
-  const RegressedLikelihood likelihood = likelihood_of(toy, 100, photo, rng);
-  for (const double reach : {0.5, 9.0}) {
-    const Eigen::VectorXd at = reach * Eigen::Vector2d(0.8, -0.6);
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(2, i);
-      const double slope =
-          (likelihood.evaluate(at + step).log_density - likelihood.evaluate(at - step).log_density) / 2e-5;
-      EXPECT_NEAR(likelihood.evaluate(at).gradient[i], slope, 1e-5 * (1 + std::abs(slope)));
+  const RegressedLikelihood normal = likelihood_of(toy, 100, photo, rng);
+  for (const RegressedLikelihood& likelihood : {normal, normal.heavy_tailed(5)})
+    for (const double reach : {0.5, 9.0}) {
+      const Eigen::VectorXd at = reach * Eigen::Vector2d(0.8, -0.6);
+      for (Eigen::Index i = 0; i < 2; ++i) {
+        const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(2, i);
+        const double slope =
+            (likelihood.evaluate(at + step).log_density - likelihood.evaluate(at - step).log_density) / 2e-5;
+        EXPECT_NEAR(likelihood.evaluate(at).gradient[i], slope, 1e-5 * (1 + std::abs(slope)));
+      }
     }
+}
+
+TEST(RegressedLikelihood, OfHeavyTailsIsTheTOfTheNormalOnesMisfitAndNormalOfManyDegrees) {
+  Rng rng(12);
+  const ToySimulator toy = ToySimulator::correlated(rng);
+  const RegressedLikelihood normal = likelihood_of(toy, 300, toy.photo(rng.normals(2), rng), rng);
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(0.1, 0.2), Eigen::Vector2d(-1.5, 2)}) {
+    const double square = -2 * normal.evaluate(at).log_density;
+    EXPECT_NEAR(normal.heavy_tailed(5).evaluate(at).log_density, -0.5 * (5 + 2) * std::log(1 + square / 5),
+                1e-9 * (1 + square));
+    EXPECT_NEAR(normal.heavy_tailed(1e9).evaluate(at).log_density, -0.5 * square, 1e-5 * (1 + square));
   }
 }
 
@@ -152,6 +165,39 @@ TEST(RegressedLikelihood, OfFewPhotosHasIntervalsThatHoldTheTruthAndOfHeavyTails
   const double of_heavy_tails = coverage_of(300, 3, rng);
   EXPECT_GT(of_heavy_tails, 0.8);
   EXPECT_LT(of_heavy_tails, 0.95);
+}
+
+/// Of the ranks that truths' log posterior densities have among those of draws: chi-square of five bins.
+/// @param photos  that are simulated   @param degrees  of freedom that the likelihood is given
+double chi_square_of_ranks(Eigen::Index photos, double degrees, Rng& rng) {
+  constexpr int kStudies = 1000, kDraws = 1000, kBins = 5;
+  Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(kBins);
+  for (int study = 0; study < kStudies; ++study) {
+    const Eigen::MatrixXd places = normals(rng, 2, photos);
+    const Eigen::MatrixXd scores = places + 0.5 * normals(rng, 2, photos);
+    const Eigen::VectorXd truth = rng.normals(2), seen = truth + 0.5 * rng.normals(2);
+    const RegressedLikelihood likelihood =
+        RegressedLikelihood(prior_region(2), places, scores, seen).heavy_tailed(degrees);
+    const ToyPosterior posterior(likelihood);
+    const double of_truth = posterior.evaluate({truth, {}}).log_density;
+    double below = 0, all = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+      const Eigen::VectorXd at = rng.normals(2);  // of the prior, weighted by the likelihood
+      const double weight = std::exp(likelihood.evaluate(at).log_density);
+      all += weight;
+      if (posterior.evaluate({at, {}}).log_density < of_truth) below += weight;
+    }
+    counts[std::min(kBins - 1, static_cast<int>(kBins * below / all))] += 1;
+  }
+  constexpr double kExpected = static_cast<double>(kStudies) / kBins;
+  return (counts - kExpected).square().sum() / kExpected;
+}
+
+TEST(RegressedLikelihood, OfHeavyTailsRanksTruthsEvenlyWhereFewPhotosTellTheErrors) {
+  Rng rng(13);
+  constexpr double kOneInThousand = 18.5;  // of a chi-square of 4 degrees of freedom
+  EXPECT_LT(chi_square_of_ranks(40, 6, rng), kOneInThousand);
+  EXPECT_GT(chi_square_of_ranks(40, 1e9, rng), kOneInThousand) << "and normal errors do not";
 }
 
 TEST(RegressedLikelihood, DoesNotTrustAFarAwayPointWhereNothingWasSimulated) {
