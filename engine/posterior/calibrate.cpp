@@ -78,7 +78,7 @@ int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates
 /// Of freedom, of the t that errors are taken for in the end: the dozen or two photos that say how much
 /// photos like this one err say it no better, and those of photos left out of two of bump, flake, leather and
 /// wood have tails of 8 to 20. Of 100 photos of metal, truths' log densities were among the draws' 10 %
-/// highest or lowest 36 times without, and 20 times so.
+/// highest or lowest 36 times without, and 17 times so.
 constexpr double kDegrees = 12;
 
 Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
