@@ -48,11 +48,11 @@ RegressedLikelihood::RegressedLikelihood(const Region& region, const Eigen::Matr
   const Eigen::MatrixXd& axes = solver.eigenvectors();
   // No direction is known to the last digit, or less well than before the photo.
   const Eigen::ArrayXd variances = solver.eigenvalues().array().cwiseMax(1e-8).cwiseMin(1.0);
-  const Eigen::ArrayXd told = (variances < kTold).cast<double>();
+  const Eigen::Array<bool, Eigen::Dynamic, 1> told = variances < kTold;
   const Eigen::ArrayXd along = (axes.transpose() * local.mean).array();
-  told_ = told.sum();
-  precision_ = axes * (told * (1 - variances) / variances).matrix().asDiagonal() * axes.transpose();
-  place_ = axes * (told > 0).select(along / (1 - variances), 0).matrix();
+  told_ = told.count();
+  precision_ = axes * told.select((1 - variances) / variances, 0.0).matrix().asDiagonal() * axes.transpose();
+  place_ = axes * told.select(along / (1 - variances), 0.0).matrix();
 }
 
 RegressedLikelihood RegressedLikelihood::widened(double times) const {
@@ -72,8 +72,9 @@ Evaluation RegressedLikelihood::evaluate(const Eigen::VectorXd& coordinates) con
   const Eigen::VectorXd pull = precision_ * (v - place_);
   const double square = pull.dot(v - place_);
   const bool normal = std::isinf(degrees_);
-  double misfit = 0.5 * (normal ? square : (degrees_ + told_) * std::log1p(square / degrees_));
-  Eigen::VectorXd slope = normal ? pull : Eigen::VectorXd((degrees_ + told_) / (degrees_ + square) * pull);
+  const double freedom = degrees_ + static_cast<double>(told_);
+  double misfit = 0.5 * (normal ? square : freedom * std::log1p(square / degrees_));
+  Eigen::VectorXd slope = normal ? pull : Eigen::VectorXd(freedom / (degrees_ + square) * pull);
   const double radius = trusted_radius(v.size()), distance = v.norm();
   if (distance > radius) {
     misfit += 0.5 * (distance - radius) * (distance - radius);
@@ -88,7 +89,7 @@ bool RegressedLikelihood::is_of(Eigen::Index coordinates) const {
                      precision_.cols() == coordinates && place_.size() == coordinates;
   return sized && region_.centre.allFinite() && region_.factor.allFinite() &&
          (region_.factor.diagonal().array() > 0).all() && precision_.allFinite() && place_.allFinite() &&
-         degrees_ > 0 && told_ >= 0 && told_ <= static_cast<double>(coordinates);
+         degrees_ > 0 && told_ >= 0 && told_ <= coordinates;
 }
 
 void RegressedLikelihood::serialise(Archive& archive) {

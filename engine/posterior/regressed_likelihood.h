@@ -53,7 +53,7 @@ class RegressedLikelihood {
   Region region_;
   Eigen::MatrixXd precision_;  ///< S^-1 - I, of the directions that are told
   Eigen::VectorXd place_;      ///< p, likewise
-  double told_ = 0;            ///< their number
+  Eigen::Index told_ = 0;      ///< their number
   double degrees_ = std::numeric_limits<double>::infinity();
 };
 
