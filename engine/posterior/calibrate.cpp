@@ -70,7 +70,8 @@ bool out_of_reach(const PhotoFit& fit, int round) {
 
 /// Six for each coefficient of the regressions, on a constant and two scores a coordinate. Of 100 photos of
 /// wood, which has 23 coordinates, 90 % intervals held 82 % of the truths with 150 photos a round, and 86 %
-/// with 282 and shrunk correlations.
+/// with 282 and shrunk correlations; with 564 as often as with 282 (75 photos), so that what wood lacks is
+/// not number.
 int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates) {
   return std::max(settings.round, 6 * (1 + 2 * static_cast<int>(coordinates)));
 }
