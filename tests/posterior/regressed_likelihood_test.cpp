@@ -176,16 +176,16 @@ double chi_square_of_ranks(Eigen::Index photos, double degrees, Rng& rng) {
     const Eigen::MatrixXd places = normals(rng, 2, photos);
     const Eigen::MatrixXd scores = places + 0.5 * normals(rng, 2, photos);
     const Eigen::VectorXd truth = rng.normals(2), seen = truth + 0.5 * rng.normals(2);
-    const RegressedLikelihood likelihood =
-        RegressedLikelihood(prior_region(2), places, scores, seen).heavy_tailed(degrees);
-    const ToyPosterior posterior(likelihood);
+    const ToyPosterior posterior(
+        RegressedLikelihood(prior_region(2), places, scores, seen).heavy_tailed(degrees));
     const double of_truth = posterior.evaluate({truth, {}}).log_density;
     double below = 0, all = 0;
     for (int draw = 0; draw < kDraws; ++draw) {
       const Eigen::VectorXd at = rng.normals(2);  // of the prior, weighted by the likelihood
-      const double weight = std::exp(likelihood.evaluate(at).log_density);
+      const double of_draw = posterior.evaluate({at, {}}).log_density;
+      const double weight = std::exp(of_draw + 0.5 * at.squaredNorm());
       all += weight;
-      if (posterior.evaluate({at, {}}).log_density < of_truth) below += weight;
+      if (of_draw < of_truth) below += weight;
     }
     counts[std::min(kBins - 1, static_cast<int>(kBins * below / all))] += 1;
   }
