@@ -107,7 +107,7 @@ Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
                                    region.offset(mode));
     const bool hopeless = simulator.discrepancy == 0 && out_of_reach(result.fit, round);
     if (hopeless || round >= settings.most_rounds || (round > 1 && settled(region, mode, covariance))) {
-      result.likelihood = result.likelihood.widened(result.fit.widening);
+      result.likelihood = result.likelihood.widened(result.fit.widening).doubted();
       approximate(posterior, result.mode, result);
       result.likelihood = result.likelihood.heavy_tailed(kDegrees);
       return result;

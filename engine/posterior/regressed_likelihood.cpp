@@ -1,5 +1,6 @@
 #include "engine/posterior/regressed_likelihood.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -59,6 +60,18 @@ RegressedLikelihood RegressedLikelihood::widened(double times) const {
   RegressedLikelihood wider = *this;
   wider.precision_ /= times;
   return wider;
+}
+
+RegressedLikelihood RegressedLikelihood::doubted() const {
+  // In axes of the prior: y = L^T v, where its precision F^T F = L L^T is I.
+  const Eigen::LLT<Eigen::MatrixXd> prior(region_.factor.transpose() * region_.factor);
+  const Eigen::MatrixXd half = prior.matrixL().solve(precision_);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(prior.matrixL().solve(half.transpose()));
+  const Eigen::ArrayXd told = solver.eigenvalues().array().max(0.0);
+  const Eigen::MatrixXd axes = prior.matrixL() * solver.eigenvectors();
+  RegressedLikelihood less = *this;
+  less.precision_ = axes * (told.square() / (1 + told)).matrix().asDiagonal() * axes.transpose();
+  return less;
 }
 
 RegressedLikelihood RegressedLikelihood::heavy_tailed(double degrees_of_freedom) const {

@@ -24,6 +24,11 @@ class Archive;
 /// the photos that they were chosen by. It is to be trusted where there were simulations: beyond sqrt(m) + 3
 /// of their standard deviations it falls as a normal density does, so that no far-away point looks good for
 /// what was never simulated.
+///
+/// The ridge of light times albedo is bent, and as wide as its albedo is high: truths' light is on average at
+/// 0.35 to 0.45 of its draws. Regressed in logarithms of light and colours, where it is straight, light was
+/// at 0.40 to 0.51 and 90 % intervals of flake's albedos held 89 to 91 % of 100 truths (86 to 87 before), but
+/// plaster's 75 %: near 1 a logarithm rests where its coordinate goes on.
 class RegressedLikelihood {
  public:
   RegressedLikelihood() = default;
@@ -35,6 +40,12 @@ class RegressedLikelihood {
 
   /// The same with errors of so many times the variance.
   RegressedLikelihood widened(double times) const;
+
+  /// The same with less of what is hardly told: the precision p that it has along an axis, in which the
+  /// prior's is 1, is taken for p * p / (1 + p). What is told little is told unevenly: how far light and
+  /// albedo can be told apart, say, differs along their ridge, and the average is too much where albedo is
+  /// high.
+  RegressedLikelihood doubted() const;
 
   /// The same where S is known by few photos, or some err more than others in all directions at once:
   /// (1 + Q / degrees)^(-(degrees + k) / 2) in place of exp(-Q / 2), k the number of directions that are told

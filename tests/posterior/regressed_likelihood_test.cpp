@@ -99,6 +99,19 @@ TEST(RegressedLikelihood, OfHeavyTailsIsTheTOfTheNormalOnesMisfitAndNormalOfMany
   }
 }
 
+TEST(RegressedLikelihood, DoubtsWhatIsHardlyToldAndLeavesTheRest) {
+  // The first coordinate is seen with a tenth of the prior's variance, the second with twice as much.
+  Rng rng(14);
+  const Eigen::MatrixXd places = normals(rng, 2, 20'000);
+  const Eigen::MatrixXd errors =
+      Eigen::Vector2d(std::sqrt(0.1), std::sqrt(2)).asDiagonal() * normals(rng, 2, 20'000);
+  const RegressedLikelihood all(prior_region(2), places, places + errors, Eigen::Vector2d(0, 0));
+  const Normal doubted = approximate_posterior(all.doubted());
+  const auto precision = [](double p) { return p * p / (1 + p); };
+  EXPECT_NEAR(doubted.covariance(0, 0), 1 / (1 + precision(10)), 0.01);
+  EXPECT_NEAR(doubted.covariance(1, 1), 1 / (1 + precision(0.5)), 0.03);
+}
+
 TEST(RegressedLikelihood, DoesNotKnowWhatScoresDoNotTell) {
   // Twenty scores of nothing, and no more than a hundred photos that agree by chance.
   Rng rng(4);
