@@ -63,14 +63,9 @@ RegressedLikelihood RegressedLikelihood::widened(double times) const {
 }
 
 RegressedLikelihood RegressedLikelihood::doubted() const {
-  // In axes of the prior: y = L^T v, where its precision F^T F = L L^T is I.
-  const Eigen::LLT<Eigen::MatrixXd> prior(region_.factor.transpose() * region_.factor);
-  const Eigen::MatrixXd half = prior.matrixL().solve(precision_);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(prior.matrixL().solve(half.transpose()));
-  const Eigen::ArrayXd told = solver.eigenvalues().array().max(0.0);
-  const Eigen::MatrixXd axes = prior.matrixL() * solver.eigenvectors();
+  const Eigen::MatrixXd of_prior = region_.factor.transpose() * region_.factor;
   RegressedLikelihood less = *this;
-  less.precision_ = axes * (told.square() / (1 + told)).matrix().asDiagonal() * axes.transpose();
+  less.precision_ = precision_ * (of_prior + precision_).llt().solve(precision_);
   return less;
 }
 

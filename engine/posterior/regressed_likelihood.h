@@ -27,7 +27,7 @@ class Archive;
 ///
 /// The ridge of light times albedo is bent, and as wide as its albedo is high: truths' light is on average at
 /// 0.35 to 0.45 of its draws. Regressed in logarithms of light and colours, where it is straight, light was
-/// at 0.40 to 0.51 and 90 % intervals of flake's albedos held 89 to 91 % of 100 truths (86 to 87 before), but
+/// at 0.45 to 0.51 and 90 % intervals of flake's albedos held 89 to 91 % of 100 truths (86 to 87 before), but
 /// plaster's 75 %: near 1 a logarithm rests where its coordinate goes on.
 class RegressedLikelihood {
  public:
