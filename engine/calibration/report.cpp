@@ -11,15 +11,13 @@ namespace {
 constexpr double kNotIdentified = 0.9;  // posterior sd over prior sd
 
 bool falls_short(const QuantityCoverage& quantity, std::size_t interval) {
-  constexpr double kLeast = 0.85, kMost = 0.95;
-  const double share = quantity.coverage.share[interval];
-  return quantity.identified && kIntervals[interval] == 0.9 && (share < kLeast || share > kMost);
+  return quantity.identified && kIntervals[interval] == 0.9 && !is_covered(quantity.coverage.share[interval]);
 }
 
 std::string line(const QuantityCoverage& quantity) {
-  const double sd = quantity.sd_over_prior_sd;
   std::string line = "| " + quantity.name + " | ";
-  line += (sd == sd ? format("%.2f", sd) : "") + " | " + (quantity.identified ? "yes" : "no");
+  line += (quantity.is_parameter() ? format("%.2f", quantity.sd_over_prior_sd) : "") + " | " +
+          (quantity.identified ? "yes" : "no");
   for (std::size_t i = 0; i < kIntervals.size(); ++i)
     line += format(falls_short(quantity, i) ? " | **%.0f ± %.0f**" : " | %.0f ± %.0f",
                    100 * quantity.coverage.share[i], 100 * quantity.coverage.error(i));
@@ -37,6 +35,11 @@ std::string cost(const CalibrationReport& report) {
 }
 
 }  // namespace
+
+bool is_covered(double share) {
+  constexpr double kLeast = 0.85, kMost = 0.95, kRounding = 1e-9;
+  return share > kLeast - kRounding && share < kMost + kRounding;
+}
 
 CalibrationReport report_of(const std::vector<std::string>& quantities,
                             const std::vector<PhotoOutcome>& outcomes) {

@@ -16,7 +16,12 @@ struct QuantityCoverage {
   double sd_over_prior_sd = 0;  ///< mean over photos; NaN for lp
   bool identified = false;      ///< below 0.9; always for lp
   Coverage coverage;            ///< of all photos, converged or not
+
+  bool is_parameter() const { return sd_over_prior_sd == sd_over_prior_sd; }
 };
+
+/// Whether a 90 % interval that holds this share of the truths does what is asked of it: 85 to 95 %.
+bool is_covered(double share);
 
 struct CalibrationReport {
   int photos = 0, converged = 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/calibration/outcome_file.h"
+#include "engine/calibration/overall.h"
 #include "engine/calibration/report.h"
 #include "engine/cli/arguments.h"
 #include "engine/cli/command.h"
@@ -152,10 +153,13 @@ of all the tables in DIR, to which a photo is added as it is done; the options o
 )";
 
 std::string page_of(const std::vector<OutcomeFile>& studies) {
-  std::string page = kIntroduction;
-  for (const OutcomeFile& study : studies)
-    page += to_markdown(report_of(study.quantities(), study.outcomes()), study.study()) + "\n";
-  return page;
+  std::vector<CalibrationReport> reports;
+  std::string tables;
+  for (const OutcomeFile& study : studies) {
+    reports.push_back(report_of(study.quantities(), study.outcomes()));
+    tables += "\n" + to_markdown(reports.back(), study.study());
+  }
+  return kIntroduction + to_markdown(overall_coverage(reports)) + tables;
 }
 
 int calibrate(const Options& options) {
