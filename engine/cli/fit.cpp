@@ -103,7 +103,7 @@ int fit(const FitOptions& options) {
   const auto run =
       options.resume ? resume_run(settings, photo, options.out) : start_run(settings, photo, options.out);
   if (ranking) write_ranking(options.out, *ranking);
-  Progress progress(settings, options.quiet);
+  Progress progress(run->settings(), options.quiet);
   const std::vector<Draw> draws = attend(*run, progress);
   const RunStatus status = run->status();
   if (status.phase == RunPhase::failed) {

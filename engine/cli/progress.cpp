@@ -17,9 +17,15 @@ std::int64_t transitions(const RunStatus& status) {
   return made;
 }
 
-std::int64_t all_transitions(const RunSettings& settings) {
-  return std::int64_t{settings.chains} * (std::int64_t{settings.warmup.value()} + settings.draws);
+std::int64_t warmup_transitions(const RunSettings& settings) {
+  return std::int64_t{settings.chains} * settings.warmup.value();
 }
+
+std::int64_t draws_to_make(const RunSettings& settings) {
+  return std::int64_t{settings.chains} * settings.draws;
+}
+
+double share(double part, double whole) { return whole > 0 ? std::min(part / whole, 1.0) : 0; }
 
 std::string duration_text(double seconds) {
   const auto whole = std::llround(std::max(seconds, 0.0));
@@ -32,23 +38,36 @@ bool is_drawing(RunPhase phase) { return phase == RunPhase::warming_up || phase 
 
 }  // namespace
 
-double progress_fraction(const RunSettings& settings, const RunStatus& status) {
+double progress_fraction(const RunSettings& settings, const RunStatus& status, double elapsed) {
   if (!is_drawing(status.phase)) return status.search_fraction;
-  return static_cast<double>(transitions(status)) / static_cast<double>(all_transitions(settings));
+  const auto made = static_cast<double>(transitions(status)),
+             warmup = static_cast<double>(warmup_transitions(settings));
+  if (status.phase == RunPhase::warming_up) return share(made, warmup);
+  return std::max(share(made - warmup, static_cast<double>(draws_to_make(settings))),
+                  share(elapsed, 60 * settings.stop.minutes));
 }
 
-std::string progress_line(const RunSettings& settings, const RunStatus& status) {
-  std::string text = status.message;
-  if (!is_drawing(status.phase)) return text;
-  text += ", " + std::to_string(std::lround(100 * progress_fraction(settings, status))) + " %";
+std::string progress_line(const RunSettings& settings, const RunStatus& status, double elapsed) {
+  if (!is_drawing(status.phase)) return status.message;
+  const std::int64_t draws = transitions(status) - warmup_transitions(settings);
+  std::string text = status.message + ", ";
+  if (status.phase == RunPhase::warming_up)
+    text += std::to_string(std::lround(100 * progress_fraction(settings, status, elapsed))) + " %";
+  else
+    text += std::to_string(std::max<std::int64_t>(draws, 0)) + " so far";
   if (status.draws_per_second <= 0) return text;
-  const auto left = static_cast<double>(all_transitions(settings) - transitions(status));
-  return text + ", " + std::to_string(std::lround(status.draws_per_second)) + " draws a second, about " +
-         duration_text(left / status.draws_per_second) + " left";
+  double left = static_cast<double>(draws_to_make(settings) - draws) / status.draws_per_second;
+  if (settings.stop.minutes > 0) left = std::min(left, 60 * settings.stop.minutes - elapsed);
+  return text + ", " + std::to_string(std::lround(status.draws_per_second)) + " a second, " +
+         (settings.stop.ask_for_quality() ? "at most " : "about ") + duration_text(left) + " left";
 }
 
 Progress::Progress(const RunSettings& settings, bool quiet)
     : settings_(settings), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+double Progress::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
 
 void Progress::show(const RunStatus& status) {
   const bool new_phase = status.phase != last_phase_;
@@ -62,15 +81,16 @@ void Progress::show(const RunStatus& status) {
   if (terminal_) return redraw(status);
   if (!new_phase && now < next_) return;
   next_ = now + std::chrono::seconds(10);
-  line(progress_line(settings_, status));
+  line(progress_line(settings_, status, elapsed()));
 }
 
 void Progress::redraw(const RunStatus& status) {
-  const auto filled = static_cast<int>(std::lround(kBarWidth * progress_fraction(settings_, status)));
+  const auto filled =
+      static_cast<int>(std::lround(kBarWidth * progress_fraction(settings_, status, elapsed())));
   std::string bar(static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth)), '#');
   bar.resize(kBarWidth, '.');
   // Carriage return, then erase to the end of the line.
-  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), progress_line(settings_, status).c_str());
+  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), progress_line(settings_, status, elapsed()).c_str());
   bar_is_drawn_ = true;
 }
 

@@ -72,6 +72,15 @@ TEST_F(Commands, PredictWritesParametersThatRenderAndFitTake) {
   EXPECT_NE(output({"predict", photo(), "--material", "bump"}).find("rough"), std::string::npos);
 }
 
+TEST_F(Commands, AFitThatIsToldNothingOfItsLengthSaysHowFarItIs) {
+  const Finished finished =
+      run({"fit", photo(), "--material", "bump", "--summary", "means", "--resolution", "32", "--kernel",
+           "hmc", "--ess", "20", "--rhat", "0", "--out", path("run")});
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  EXPECT_NE(finished.err.find("warming up, "), std::string::npos) << finished.err;
+  EXPECT_NE(finished.err.find("at most "), std::string::npos) << finished.err;
+}
+
 TEST_F(Commands, AFitsJsonAgreesWithItsSummaryAndItsExports) {
   std::vector<std::string> arguments = small_fit(photo(), "run");
   arguments.push_back("--json");
@@ -196,8 +205,8 @@ TEST_F(Commands, AFullDiskPausesTheFitWhichGoesOnWhenThereIsRoom) {
 }
 
 TEST_F(Commands, ABestMatchAloneIsLookedForAtMorePixels) {
-  std::vector<std::string> fit{"fit",   photo(), "--material", "translucent", "--summary",  "means",
-                               "--fix", "g=0.5", "--fix",      "sigma_a=0.02",   "--map-only", "--out"};
+  std::vector<std::string> fit{"fit",   photo(), "--material", "translucent",  "--summary",  "means",
+                               "--fix", "g=0.5", "--fix",      "sigma_a=0.02", "--map-only", "--out"};
   const auto resolution_of = [&](const std::string& name) {
     fit.push_back(path(name));
     output(fit);
