@@ -98,7 +98,9 @@ void MaterialEvidence::measure(int threads, RunControl& control,
                                const std::function<void(double)>& progress) {
   const Stopwatch stopwatch(seconds_);
   const ControlledDensity target(posterior_, control);
-  constexpr double kRemembered = 0.6;  // of where they stood: islands that agree say nothing then
+  // Islands whose particles remember where they stood may agree by chance. Of runs by other seeds the values
+  // lie within 0.3 nats (resources/compare), however well they remember.
+  constexpr double kRemembered = 0.6, kLeastThen = 1;
   SequentialSettings sequential;
   sequential.particles = settings_.particles;
   sequential.correlation = 0.3;
@@ -110,7 +112,7 @@ void MaterialEvidence::measure(int threads, RunControl& control,
   const auto kernel = make_kernel("mala", target, 0.8, 0.25);
   const SequentialResult found = sample_sequentially(target, *kernel, sequential);
   evidence_ = found.evidence;
-  if (found.worst_correlation > kRemembered) evidence_.error = std::numeric_limits<double>::quiet_NaN();
+  if (found.worst_correlation > kRemembered) evidence_.error = std::max(evidence_.error, kLeastThen);
 }
 
 void MaterialEvidence::foretell(int threads, RunControl& control,

@@ -33,27 +33,36 @@ bool can_glance(const std::vector<std::string>& materials) {
   }
 }
 
+std::vector<double> glances(const Image& photo, const std::vector<std::string>& materials) {
+  if (!can_glance(materials)) return {};
+  const MaterialChooser chooser = MaterialChooser::load(bundled_chooser());
+  const Eigen::VectorXd log_p = chooser.log_probabilities(photo);
+  std::vector<double> of_these;
+  double total = 0;
+  for (const std::string& name : materials) {
+    of_these.push_back(log_p[std::ranges::find(chooser.materials(), name) - chooser.materials().begin()]);
+    total += std::exp(of_these.back());
+  }
+  for (double& one : of_these) one -= std::log(total);
+  return of_these;
+}
+
 MaterialRanking glance(const Image& photo, const RankSettings& settings) {
   double seconds = 0;
   MaterialRanking ranking;
   {
     const Stopwatch stopwatch(seconds);
-    const MaterialChooser chooser = MaterialChooser::load(bundled_chooser());
-    const Eigen::VectorXd log_p = chooser.log_probabilities(photo);
-    double total = 0;
-    for (const std::string& name : settings.materials) {
-      const Prediction prediction = prediction_for(name, photo, settings.capture);
-      const auto place = std::ranges::find(chooser.materials(), name) - chooser.materials().begin();
+    const std::vector<double> log_p = glances(photo, settings.materials);
+    for (std::size_t i = 0; i < log_p.size(); ++i) {
+      const Prediction prediction = prediction_for(settings.materials[i], photo, settings.capture);
       RankedMaterial& ranked = ranking.materials.emplace_back();
-      ranked.material = name;
+      ranked.material = settings.materials[i];
       ranked.parameters =
           static_cast<int>(prediction.table.continuous.size() + prediction.table.discrete.size());
-      ranked.log_evidence = log_p[place];
+      ranked.log_evidence = log_p[i];
+      ranked.probability = std::exp(log_p[i]);
       ranked.match = prediction.likeliest();
-      total += std::exp(log_p[place]);
     }
-    for (RankedMaterial& ranked : ranking.materials)
-      ranked.probability = std::exp(ranked.log_evidence) / total;
   }
   for (RankedMaterial& ranked : ranking.materials) ranked.seconds = seconds;
   std::ranges::stable_sort(ranking.materials, std::greater(), &RankedMaterial::log_evidence);

@@ -1,6 +1,7 @@
 #include "engine/comparison/rank_materials.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -60,8 +61,12 @@ class Ranking {
  public:
   Ranking(const Image& photo, const RankSettings& settings, RunControl& control, Report& report)
       : settings_(settings), control_(control), report_(report) {
-    for (const std::string& name : settings.materials)
+    const std::vector<double> seen = glances(photo, settings.materials);
+    for (std::size_t i = 0; i < settings.materials.size(); ++i) {
+      const std::string& name = settings.materials[i];
       candidates_.push_back(std::make_unique<MaterialEvidence>(name, settings, photo));
+      glances_[name] = seen.empty() ? 0 : seen[i];
+    }
   }
 
   MaterialRanking run() {
@@ -71,8 +76,8 @@ class Ranking {
     drop_the_hopeless();
     if (settings_.finalists > 0) work_through(foretold, 1, "weighing ", &MaterialEvidence::measure);
     MaterialRanking ranking;
-    for (const auto& candidate : candidates_) ranking.materials.push_back(candidate->ranked());
-    for (const auto& candidate : dropped_) ranking.materials.push_back(candidate->ranked());
+    for (const auto* group : {&candidates_, &dropped_})
+      for (const auto& candidate : *group) ranking.materials.push_back(ranked(*candidate));
     put_in_order(ranking.materials);
     compare_samples(ranking.materials.front());
     ranking.summary = settings_.summary;
@@ -93,8 +98,14 @@ class Ranking {
     }
   }
 
+  RankedMaterial ranked(const MaterialEvidence& candidate) const {
+    RankedMaterial ranked = candidate.ranked();
+    ranked.glance = glances_.at(ranked.material);
+    return ranked;
+  }
+
   void compare_samples(RankedMaterial& first) {
-    for (auto* group : {&candidates_, &dropped_})
+    for (const auto* group : {&candidates_, &dropped_})
       for (const auto& candidate : *group) {
         if (candidate->ranked().material != first.material) continue;
         candidate->compare_samples();
@@ -104,11 +115,11 @@ class Ranking {
 
   /// Keeps the finalists: none where the first is far ahead of all others.
   void drop_the_hopeless() {
-    std::ranges::stable_sort(candidates_, std::greater(),
-                             [](const auto& c) { return c->ranked().log_evidence; });
-    const double best = candidates_.front()->ranked().log_evidence;
-    const auto in_the_running = std::ranges::count_if(
-        candidates_, [&](const auto& c) { return c->ranked().log_evidence > best - kHopeless; });
+    const auto odds = [&](const auto& candidate) { return log_odds(ranked(*candidate)); };
+    std::ranges::stable_sort(candidates_, std::greater(), odds);
+    const double best = odds(candidates_.front());
+    const auto in_the_running =
+        std::ranges::count_if(candidates_, [&](const auto& c) { return odds(c) > best - kHopeless; });
     const auto kept = in_the_running < 2 ? 0 : std::min<std::ptrdiff_t>(in_the_running, settings_.finalists);
     for (auto c = candidates_.begin() + kept; c != candidates_.end(); ++c) dropped_.push_back(std::move(*c));
     candidates_.resize(static_cast<std::size_t>(kept));
@@ -117,6 +128,7 @@ class Ranking {
   const RankSettings& settings_;
   RunControl& control_;
   Report& report_;
+  std::map<std::string, double> glances_;  ///< log probabilities, by material
   std::vector<std::unique_ptr<MaterialEvidence>> candidates_, dropped_;
 };
 

@@ -44,6 +44,10 @@ struct RankedMaterial {
   /// what a material that fits by chance does not foresee. Empty of a glance, and where quarters have too few
   /// pixels for the summary.
   std::vector<double> quarters;
+  /// Log probability that a network gives it at a glance (material_glance.h), which sees structure and
+  /// neither light nor colour, where the evidence, its errors being wide, is mostly of these. 0 where there
+  /// was no glance beside the search, and of a glance alone, whose log evidence it is.
+  double glance = 0;
   double probability = 0;  ///< among the materials compared, all equally likely beforehand
   ParameterValues match;   ///< the best that was found
   /// How far that is off the photo, over what the error model allows a material that fits: about 1 or less of
@@ -70,9 +74,9 @@ constexpr double kPoorMatch = 2;
 /// that take minutes (resources/compare), or, with materials that it does not know, the first cut alone.
 RankSettings first_cut(const RunSettings& settings, const Capture& capture);
 
-/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation and by how well it
-/// foretells quarters of the photo, then the best few by sequential Monte Carlo (sampling/sequential.h). Safe
-/// to call from any thread; takes tens of seconds.
+/// Ranks materials for a photo: every one by a coarse search and Laplace's approximation, which what is seen
+/// at a glance precedes as prior odds, and by how well it foretells quarters of the photo, then the best few
+/// by sequential Monte Carlo (sampling/sequential.h). Safe to call from any thread; takes tens of seconds.
 /// @param photo     square, 3 channels, sRGB in [0,1]
 /// @param progress  called from this thread and others, one at a time, with the share that is done and what
 /// is

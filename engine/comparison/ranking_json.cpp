@@ -18,6 +18,7 @@ Json ranking_json(const MaterialRanking& ranking) {
                          {"log_evidence", m.log_evidence},
                          {"error", m.error ? Json(*m.error) : Json(nullptr)},
                          {"quarters", m.quarters},
+                         {"glance", m.glance},
                          {"probability", m.probability},
                          {"misfit", m.misfit ? Json(*m.misfit) : Json(nullptr)},
                          {"misfit_of_another_sample",

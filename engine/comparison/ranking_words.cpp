@@ -34,8 +34,10 @@ std::string none_fits(const RankedMaterial& best) {
 
 double error_of(const RankedMaterial& material) { return material.error.value_or(kLaplaceError); }
 
+double log_odds(const RankedMaterial& material) { return material.log_evidence + material.glance; }
+
 bool within_error(const RankedMaterial& a, const RankedMaterial& b) {
-  return std::abs(a.log_evidence - b.log_evidence) < 2 * std::hypot(error_of(a), error_of(b));
+  return std::abs(log_odds(a) - log_odds(b)) < 2 * std::hypot(error_of(a), error_of(b));
 }
 
 double foretold(const RankedMaterial& material) {
@@ -54,12 +56,12 @@ bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b) {
 
 void put_in_order(std::vector<RankedMaterial>& materials) {
   if (materials.empty()) return;
-  std::ranges::stable_sort(materials, std::greater(), &RankedMaterial::log_evidence);
-  const double best = materials.front().log_evidence;
+  std::ranges::stable_sort(materials, std::greater(), log_odds);
+  const double best = log_odds(materials.front());
   double total = 0;
-  for (const RankedMaterial& material : materials) total += std::exp(material.log_evidence - best);
+  for (const RankedMaterial& material : materials) total += std::exp(log_odds(material) - best);
   for (RankedMaterial& material : materials)
-    material.probability = std::exp(material.log_evidence - best) / total;
+    material.probability = std::exp(log_odds(material) - best) / total;
   const auto tied = [&](const RankedMaterial& m) { return within_error(m, materials.front()); };
   const RankedMaterial* seer = &materials.front();
   for (const RankedMaterial& rival : materials)
@@ -87,8 +89,8 @@ std::string in_words(const MaterialRanking& ranking) {
     return both + ": the photo cannot tell them apart within the error of the comparison" +
            (first.parameters < next.parameters ? ", and " + first.material + " is the simpler." : ".");
   }
-  return first.material + ", " + times(first.log_evidence - next.log_evidence) + " likelier than " +
-         next.material + ", the next.";
+  return first.material + ", " + times(log_odds(first) - log_odds(next)) + " likelier than " + next.material +
+         ", the next.";
 }
 
 }  // namespace patina

@@ -22,7 +22,7 @@ wood_5 wood 20"
 json=$(mktemp)
 trap 'rm -f "$json"' EXIT
 right=0 all=0
-echo "| photo | first | log evidence of the right one, of the best other | sentence | seconds |"
+echo "| photo | first | log odds of the right one, of the best other | sentence | seconds |"
 echo "|---|---|---|---|---|"
 while read -r photo material size; do
   [[ -z ${PHOTOS:-} || " $PHOTOS " == *" $photo "* ]] || continue
@@ -32,10 +32,11 @@ while read -r photo material size; do
   row=$(/usr/bin/python3 - "$material" "$json" <<'PYTHON'
 import json, sys
 right, document = sys.argv[1], json.load(open(sys.argv[2]))
-def figure(m): return f"{m['log_evidence']:.1f}" + (f" ± {m['error']:.1f}" if m["error"] is not None else "")
+def odds(m): return m["log_evidence"] + m["glance"]
+def figure(m): return f"{odds(m):.1f}" + (f" ± {m['error']:.1f}" if m["error"] is not None else "")
 first = document["materials"][0]["material"]
 own = next(m for m in document["materials"] if m["material"] == right)
-other = max((m for m in document["materials"] if m["material"] != right), key=lambda m: m["log_evidence"])
+other = max((m for m in document["materials"] if m["material"] != right), key=odds)
 print(int(first == right))
 print(f"{'**' + first + '**' if first == right else first} | {figure(own)}, {figure(other)} ({other['material']}) | {document['sentence']}")
 PYTHON

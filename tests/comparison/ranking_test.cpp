@@ -36,6 +36,18 @@ TEST(Ranking, prefers_the_simpler_of_two_only_within_the_error_of_their_evidence
       << "a first cut is no better than that";
 }
 
+TEST(Ranking, counts_what_is_seen_at_a_glance_as_odds_before_the_evidence) {
+  RankedMaterial smooth = material("smooth", -10, 0.5, 8), rough = material("rough", -14, 0.5, 8);
+  EXPECT_EQ(first_of({smooth, rough}), "smooth");
+  smooth.glance = std::log(0.001), rough.glance = std::log(0.999);
+  std::vector<RankedMaterial> all{smooth, rough};
+  put_in_order(all);
+  EXPECT_EQ(all[0].material, "rough");
+  EXPECT_NEAR(all[0].probability / all[1].probability, 999 * std::exp(-4.0), 1e-9);
+  rough.log_evidence = -20;
+  EXPECT_EQ(first_of({smooth, rough}), "smooth") << "evidence can overrule it";
+}
+
 TEST(Ranking, prefers_what_foretells_quarters_of_the_photo_where_evidences_are_within_error) {
   RankedMaterial plain = material("plain", -11, 0.5, 8), rich = material("rich", -10, 0.5, 20);
   plain.quarters = {-9, -8, -9, -8};
@@ -144,6 +156,7 @@ TEST_F(RankMaterials, puts_the_material_first_that_made_the_photo) {
   EXPECT_GT(ranking->materials[0].log_evidence, ranking->materials[1].log_evidence + 10);
   EXPECT_FALSE(ranking->materials[0].error) << "a first cut has no error to tell";
   EXPECT_EQ(ranking->materials[0].quarters.size(), 4u);
+  EXPECT_NEAR(std::exp(ranking->materials[0].glance) + std::exp(ranking->materials[1].glance), 1, 1e-9);
   EXPECT_TRUE(foretells_worse(ranking->materials[1], ranking->materials[0]));
   EXPECT_FALSE(foretells_worse(ranking->materials[0], ranking->materials[1]));
   const ParameterTable table = Renderer("bump", 1, Capture{}).table();
