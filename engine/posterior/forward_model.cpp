@@ -3,6 +3,7 @@
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/clamp.h>
 #include <ATen/ops/matmul.h>
+#include <ATen/ops/stack.h>
 #include <ATen/ops/tensor.h>
 
 #include <algorithm>
@@ -57,12 +58,16 @@ Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z
   return photographed(to_image(photograph(surface, capture, side, DisplayCurve::srgb)), camera, rng);
 }
 
-at::Tensor ForwardModel::summary_of_photo(const Image& photo) const {
+at::Tensor ForwardModel::summaries_of_photos(std::span<const Image> photos) const {
   const at::NoGradGuard no_grad;
-  if (photo.width == resolution) return (*summary)(to_tensor(photo));
-  const at::Tensor smaller = resampling->of_side(photo.width);
-  return (*summary)(
-      at::matmul(at::matmul(smaller, to_tensor(photo)), smaller.transpose(0, 1)).clamp(0, 1).contiguous());
+  std::vector<at::Tensor> images;
+  for (const Image& photo : photos) {
+    images.push_back(to_tensor(photo));
+    if (photo.width == resolution) continue;
+    const at::Tensor smaller = resampling->of_side(photo.width);
+    images.back() = at::matmul(at::matmul(smaller, images.back()), smaller.transpose(0, 1)).clamp(0, 1);
+  }
+  return summary->of(at::stack(images));
 }
 
 at::Tensor ForwardModel::summary_of(const Image& photo) const {

@@ -3,6 +3,7 @@
 #include <ATen/core/Tensor.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/material/material.h"
@@ -31,9 +32,9 @@ struct ForwardModel {
   /// That a camera takes, with Camera::oversampling times the pixels that are compared, or its least side.
   Image photo(const ParameterValues& values, const Irregularities& z, const Camera& camera, Rng& rng) const;
 
-  /// Of one that photo() has made: faster than summary_of(), and the same but for rounding.
-  /// @return [p] float32
-  at::Tensor summary_of_photo(const Image& photo) const;
+  /// Of photos of one size that photo() has made, in one pass: faster than summary_of(), and the same but for
+  /// rounding. @return [photos, p] float32
+  at::Tensor summaries_of_photos(std::span<const Image> photos) const;
 
   /// Of a photo. @param photo  square, sRGB in [0,1], of any resolution
   at::Tensor summary_of(const Image& photo) const;

@@ -178,8 +178,9 @@ Image Posterior::simulated_photo(const Position& position, const Irregularities&
   return parts_->model.photo(values(position), z, camera, rng);
 }
 
-Eigen::VectorXd Posterior::simulated_summary(const Image& photo) const {
-  return to_vector(parts_->model.summary_of_photo(photo));
+Eigen::MatrixXd Posterior::simulated_summaries(std::span<const Image> photos) const {
+  const auto count = static_cast<Eigen::Index>(photos.size());
+  return to_vector(parts_->model.summaries_of_photos(photos)).reshaped(Eigen::AutoSize, count);
 }
 
 std::vector<Eigen::Index> Posterior::informed() const {

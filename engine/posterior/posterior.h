@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -84,8 +85,8 @@ class Posterior final : public LogDensity {
   Image simulated_photo(const Position& position, const Irregularities& z, const Camera& camera,
                         Rng& rng) const;
 
-  /// The summary of one.
-  Eigen::VectorXd simulated_summary(const Image& photo) const;
+  /// The summaries of such photos, of one size, in one pass. @return entries x photos
+  Eigen::MatrixXd simulated_summaries(std::span<const Image> photos) const;
 
   /// The coordinates that are no places (Parameter::place): what a photo can tell whatever its
   /// irregularities.

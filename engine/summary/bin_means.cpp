@@ -42,9 +42,9 @@ at::Tensor strip_weights(std::int64_t n, int strips) {
 RingMeans::RingMeans(int rings)
     : rings_(rings), weights_([rings](std::int64_t n) { return ring_weights(n, rings); }) {}
 
-at::Tensor RingMeans::operator()(const at::Tensor& image) const {
-  const std::int64_t n = image.size(2);
-  return at::mm(image.reshape({3, n * n}), weights_.of_side(n)).reshape({3 * rings_});
+at::Tensor RingMeans::of(const at::Tensor& images) const {
+  const std::int64_t n = images.size(3);
+  return at::mm(images.reshape({-1, n * n}), weights_.of_side(n)).reshape({-1, 3 * rings_});
 }
 
 std::vector<SummaryBlock> RingMeans::blocks() const {
@@ -54,8 +54,9 @@ std::vector<SummaryBlock> RingMeans::blocks() const {
 StripMeans::StripMeans(int strips)
     : strips_(strips), weights_([strips](std::int64_t n) { return strip_weights(n, strips); }) {}
 
-at::Tensor StripMeans::operator()(const at::Tensor& image) const {
-  return at::mm(image.mean(1), weights_.of_side(image.size(2))).reshape({3 * strips_});
+at::Tensor StripMeans::of(const at::Tensor& images) const {
+  const std::int64_t n = images.size(3);
+  return at::mm(images.mean(2).reshape({-1, n}), weights_.of_side(n)).reshape({-1, 3 * strips_});
 }
 
 std::vector<SummaryBlock> StripMeans::blocks() const {

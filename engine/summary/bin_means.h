@@ -11,8 +11,8 @@ class RingMeans final : public Summary {
  public:
   explicit RingMeans(int rings);
 
-  /// @return [3 * rings], the rings of red first, from the inside out; display units
-  at::Tensor operator()(const at::Tensor& image) const override;
+  /// @return [k, 3 * rings], the rings of red first, from the inside out; display units
+  at::Tensor of(const at::Tensor& images) const override;
   std::vector<SummaryBlock> blocks() const override;
   int minimum_resolution() const override { return 2 * rings_; }
 
@@ -27,8 +27,8 @@ class StripMeans final : public Summary {
  public:
   explicit StripMeans(int strips);
 
-  /// @return [3 * strips], the strips of red first, from left to right; display units
-  at::Tensor operator()(const at::Tensor& image) const override;
+  /// @return [k, 3 * strips], the strips of red first, from left to right; display units
+  at::Tensor of(const at::Tensor& images) const override;
   std::vector<SummaryBlock> blocks() const override;
   int minimum_resolution() const override { return 2; }
 

@@ -21,10 +21,17 @@ using torch::autograd::variable_list;
 constexpr auto kChannelsLast = at::MemoryFormat::ChannelsLast;
 
 at::Tensor empty_map(const at::Tensor& like, std::int64_t channels, std::int64_t rows, std::int64_t columns) {
-  return at::empty({1, channels, rows, columns}, like.options().memory_format(kChannelsLast));
+  return at::empty({like.size(0), channels, rows, columns}, like.options().memory_format(kChannelsLast));
 }
 
 features::Shape shape_of(const at::Tensor& x) { return {x.size(2), x.size(3), x.size(1)}; }
+
+/// Image by image: with channels last, they lie one after the other.
+template <typename Step>
+void each_image(const at::Tensor& from, const at::Tensor& to, Step&& step) {
+  for (std::int64_t i = 0; i < from.size(0); ++i)
+    step(from.data_ptr<float>() + i * shape_of(from).size(), to.data_ptr<float>() + i * shape_of(to).size());
+}
 
 /// In the weight's precision, to float32. Left to itself, the library takes small maps apart by a slow path
 /// that leaves channels-last.
@@ -44,7 +51,8 @@ at::Tensor reflected(const at::Tensor& x, std::int64_t border) {
   if (border >= x.size(2) || border >= x.size(3))
     throw std::invalid_argument("a feature map is too small to be continued by reflection");
   const at::Tensor wider = empty_map(x, x.size(1), x.size(2) + 2 * border, x.size(3) + 2 * border);
-  features::reflect(x.data_ptr<float>(), shape_of(x), border, wider.data_ptr<float>());
+  each_image(x, wider,
+             [&](const float* from, float* to) { features::reflect(from, shape_of(x), border, to); });
   return wider;
 }
 
@@ -79,7 +87,9 @@ struct Convolve : torch::autograd::Function<Convolve> {
     if (border == 0) return {by_input, {}, {}, {}, {}, {}};
     const at::Tensor by_map = empty_map(gradient, by_input.size(1), gradient.size(2), gradient.size(3));
     const at::Tensor dense = by_input.contiguous(kChannelsLast);
-    features::reflect_backward(dense.data_ptr<float>(), shape_of(by_map), border, by_map.data_ptr<float>());
+    each_image(dense, by_map, [&](const float* from, float* to) {
+      features::reflect_backward(from, shape_of(by_map), border, to);
+    });
     return {by_map, {}, {}, {}, {}, {}};
   }
 };
@@ -88,7 +98,7 @@ struct AveragePool : torch::autograd::Function<AveragePool> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& map) {
     const at::Tensor x = map.contiguous(kChannelsLast);
     const at::Tensor half = empty_map(x, x.size(1), x.size(2) / 2, x.size(3) / 2);
-    features::halve(x.data_ptr<float>(), shape_of(x), half.data_ptr<float>());
+    each_image(x, half, [&](const float* from, float* to) { features::halve(from, shape_of(x), to); });
     context->saved_data["rows"] = x.size(2);
     context->saved_data["columns"] = x.size(3);
     return half;
@@ -98,7 +108,8 @@ struct AveragePool : torch::autograd::Function<AveragePool> {
     const at::Tensor gradient = outputs.front().contiguous(kChannelsLast);
     const at::Tensor by_map = empty_map(gradient, gradient.size(1), context->saved_data["rows"].toInt(),
                                         context->saved_data["columns"].toInt());
-    features::halve_backward(gradient.data_ptr<float>(), shape_of(by_map), by_map.data_ptr<float>());
+    each_image(gradient, by_map,
+               [&](const float* from, float* to) { features::halve_backward(from, shape_of(by_map), to); });
     return {by_map};
   }
 };

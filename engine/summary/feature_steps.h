@@ -19,8 +19,9 @@ struct FrozenConvolution {
                     Precision precision = Precision::float32);
 };
 
-// The steps of a network on a feature map [1, channels, h, w] float32, channels last; differentiable once, by
-// the map alone. Each is one pass over memory where tensor operations would take several.
+// The steps of a network on a feature map [k, channels, h, w] float32, channels last, of k images;
+// differentiable once, by the map alone. Each is one pass over memory where tensor operations would take
+// several.
 
 /// [ReLU] (weight * x + bias).
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x);

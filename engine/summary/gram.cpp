@@ -5,7 +5,6 @@
 #include <ATen/ops/empty.h>
 #include <ATen/ops/empty_like.h>
 #include <ATen/ops/mm.h>
-#include <ATen/ops/outer.h>
 #include <ATen/ops/triu_indices.h>
 #include <ATen/ops/where.h>
 #include <ATen/ops/zeros.h>
@@ -39,52 +38,61 @@ bool is_small(const at::Tensor& pixels) {
   return pixels.size(1) <= kFewChannels && pixels.scalar_type() == at::kFloat;
 }
 
-/// Of [pixels, channels].
-at::Tensor gram_matrix(const at::Tensor& pixels) {
-  const std::int64_t channels = pixels.size(1);
-  if (!is_small(pixels)) return at::mm(pixels.t(), pixels) / static_cast<double>(pixels.size(0));
-  const at::Tensor gram = at::empty({channels, channels}, pixels.options());
-  features::gram(pixels.data_ptr<float>(), pixels.size(0), channels, gram.data_ptr<float>());
-  return gram;
+/// @param pixels  [pixels, channels]   @param gram  [channels, channels], written
+void gram_matrix(const at::Tensor& pixels, at::Tensor gram) {
+  if (is_small(pixels))
+    features::gram(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), gram.data_ptr<float>());
+  else
+    at::mm_out(gram, pixels.t(), pixels).div_(static_cast<double>(pixels.size(0)));
 }
 
-at::Tensor product(const at::Tensor& pixels, const at::Tensor& matrix) {
-  if (!is_small(pixels)) return at::mm(pixels, matrix);
-  const at::Tensor result = at::empty_like(pixels);
-  features::times(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1),
-                  matrix.contiguous().data_ptr<float>(), result.data_ptr<float>());
-  return result;
+/// @param pixels  [pixels, channels]   @param matrix  [channels, channels]   @param result  as pixels,
+/// written
+void product(const at::Tensor& pixels, const at::Tensor& matrix, at::Tensor result) {
+  if (is_small(pixels))
+    features::times(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), matrix.data_ptr<float>(),
+                    result.data_ptr<float>());
+  else
+    at::mm_out(result, pixels, matrix);
 }
 
 /// gram_vector() with its gradient as one product: with W that by G, F (W + W^T) is that by F.
 struct GramVector : torch::autograd::Function<GramVector> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& features) {
-    const std::int64_t channels = features.size(0);
-    const at::Tensor pixels =
-        features.permute({1, 2, 0}).reshape({-1, channels}).contiguous();  // no copy if channels last
+    const std::int64_t images = features.size(0), channels = features.size(1);
+    const at::Tensor pixels = features.permute({0, 2, 3, 1})
+                                  .reshape({images, -1, channels})
+                                  .contiguous();  // no copy if channels last
     context->save_for_backward({pixels});
-    context->saved_data["rows"] = features.size(1);
+    context->saved_data["rows"] = features.size(2);
+    const at::Tensor grams = at::empty({images, channels, channels}, pixels.options());
+    for (std::int64_t i = 0; i < images; ++i) gram_matrix(pixels[i], grams[i]);
     const Triangle triangle = upper_triangle(channels, features.scalar_type());
-    return gram_matrix(pixels).reshape({-1}).index_select(0, triangle.places) * triangle.weights;
+    return grams.view({images, -1}).index_select(1, triangle.places) * triangle.weights;
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const at::Tensor pixels = context->get_saved_variables().front();
-    const std::int64_t channels = pixels.size(1), rows = context->saved_data["rows"].toInt();
+    const std::int64_t images = pixels.size(0), channels = pixels.size(2);
     const Triangle triangle = upper_triangle(channels, pixels.scalar_type());
-    const at::Tensor by_gram = at::zeros({channels * channels}, pixels.options())
-                                   .index_copy(0, triangle.places, outputs.front() * triangle.weights)
-                                   .view({channels, channels});
-    const at::Tensor twice = (by_gram + by_gram.t()) / static_cast<double>(pixels.size(0));
-    return {product(pixels, twice).view({rows, -1, channels}).permute({2, 0, 1})};
+    const at::Tensor by_gram = at::zeros({images, channels * channels}, pixels.options())
+                                   .index_copy(1, triangle.places, outputs.front() * triangle.weights)
+                                   .view({images, channels, channels});
+    const at::Tensor twice =
+        ((by_gram + by_gram.transpose(1, 2)) / static_cast<double>(pixels.size(1))).contiguous();
+    const at::Tensor by_pixels = at::empty_like(pixels);
+    for (std::int64_t i = 0; i < images; ++i) product(pixels[i], twice[i], by_pixels[i]);
+    return {
+        by_pixels.view({images, context->saved_data["rows"].toInt(), -1, channels}).permute({0, 3, 1, 2})};
   }
 };
 
 /// What the features' means alone make of a Gram matrix, as gram_vector() has it.
 at::Tensor gram_of_means(const at::Tensor& features) {
-  const at::Tensor means = features.mean({1, 2});
-  const Triangle triangle = upper_triangle(features.size(0), features.scalar_type());
-  return at::outer(means, means).reshape({-1}).index_select(0, triangle.places) * triangle.weights;
+  const at::Tensor means = features.mean({2, 3});
+  const Triangle triangle = upper_triangle(features.size(1), features.scalar_type());
+  const at::Tensor products = means.unsqueeze(2) * means.unsqueeze(1);
+  return products.flatten(1).index_select(1, triangle.places) * triangle.weights;
 }
 
 }  // namespace
@@ -95,9 +103,9 @@ at::Tensor covariance_vector(const at::Tensor& features) {
   return gram_vector(features) - gram_of_means(features);
 }
 
-at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
+at::Tensor GramMatrices::of(const at::Tensor& images) const {
   std::vector<at::Tensor> grams, covariances;
-  for (const at::Tensor& features : network_.features(image)) {
+  for (const at::Tensor& features : network_.features(images)) {
     if (about_ == About::mean) {
       covariances.push_back(covariance_vector(features));
       continue;
@@ -106,7 +114,7 @@ at::Tensor GramMatrices::operator()(const at::Tensor& image) const {
     if (about_ == About::both) covariances.push_back(grams.back() - gram_of_means(features));
   }
   grams.insert(grams.end(), covariances.begin(), covariances.end());
-  return at::cat(grams);
+  return at::cat(grams, 1);
 }
 
 std::vector<SummaryBlock> GramMatrices::blocks() const {

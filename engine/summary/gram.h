@@ -10,7 +10,7 @@ namespace patina {
 /// The Gram matrix of a feature map, G_ij = mean over pixels of F_i F_j (paper equation 4), as a vector: its
 /// upper triangle row by row, off-diagonal entries times sqrt 2, so that the vector's norm is G's Frobenius
 /// norm.
-/// @param features [c, h, w]   @return [c (c + 1) / 2]
+/// @param features [k, c, h, w]   @return [k, c (c + 1) / 2]
 at::Tensor gram_vector(const at::Tensor& features);
 
 /// The same of the features' covariances, G_ij less the product of the means of F_i and F_j: what a texture
@@ -27,7 +27,7 @@ class GramMatrices final : public Summary {
   explicit GramMatrices(Network network, About about = About::zero)
       : network_(std::move(network)), about_(about) {}
 
-  at::Tensor operator()(const at::Tensor& image) const override;
+  at::Tensor of(const at::Tensor& images) const override;
   std::vector<SummaryBlock> blocks() const override;
   int minimum_resolution() const override { return network_.minimum_resolution(); }
 

@@ -14,13 +14,15 @@
 namespace patina {
 namespace {
 
-/// Rec. 709 luma of the display values. @param image [3, n, n]   @return [n, n]
-at::Tensor luma(const at::Tensor& image) { return 0.2126 * image[0] + 0.7152 * image[1] + 0.0722 * image[2]; }
+/// Rec. 709 luma of the display values. @param images [k, 3, n, n]   @return [k, n, n]
+at::Tensor luma(const at::Tensor& images) {
+  return 0.2126 * images.select(1, 0) + 0.7152 * images.select(1, 1) + 0.0722 * images.select(1, 2);
+}
 
 at::Tensor power(const at::Tensor& transform) { return at::view_as_real(transform).square().sum(-1); }
 
 at::Tensor log_bands(const at::Tensor& power, const at::Tensor& weights) {
-  return (at::mm(power.reshape({1, -1}), weights) + kRoundingPower).log().reshape({-1});
+  return (at::mm(power.reshape({power.size(0), -1}), weights) + kRoundingPower).log();
 }
 
 /// The band of a frequency of at least 1; the last takes all above.
@@ -72,9 +74,9 @@ std::vector<int> band_edges(int nyquist, int bands) {
 RingSpectrum::RingSpectrum(int rings)
     : rings_(rings), weights_([rings](std::int64_t n) { return ring_weights(n, rings); }) {}
 
-at::Tensor RingSpectrum::operator()(const at::Tensor& image) const {
-  const at::Tensor transform = at::fft_rfft2(luma(image), {}, {-2, -1}, "ortho");
-  return log_bands(power(transform), weights_.of_side(image.size(2)));
+at::Tensor RingSpectrum::of(const at::Tensor& images) const {
+  const at::Tensor transform = at::fft_rfft2(luma(images), {}, {-2, -1}, "ortho");
+  return log_bands(power(transform), weights_.of_side(images.size(3)));
 }
 
 std::vector<SummaryBlock> RingSpectrum::blocks() const {
@@ -84,9 +86,9 @@ std::vector<SummaryBlock> RingSpectrum::blocks() const {
 ColumnSpectrum::ColumnSpectrum(int bands)
     : bands_(bands), weights_([bands](std::int64_t n) { return band_weights(n, bands); }) {}
 
-at::Tensor ColumnSpectrum::operator()(const at::Tensor& image) const {
-  const at::Tensor transform = at::fft_rfft(luma(image), {}, /*dim=*/0, "ortho");
-  return log_bands(power(transform).mean(1), weights_.of_side(image.size(2)));
+at::Tensor ColumnSpectrum::of(const at::Tensor& images) const {
+  const at::Tensor transform = at::fft_rfft(luma(images), {}, /*dim=*/1, "ortho");
+  return log_bands(power(transform).mean(2), weights_.of_side(images.size(3)));
 }
 
 std::vector<SummaryBlock> ColumnSpectrum::blocks() const {

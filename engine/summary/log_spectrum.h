@@ -22,7 +22,7 @@ class RingSpectrum final : public Summary {
  public:
   explicit RingSpectrum(int rings);
 
-  at::Tensor operator()(const at::Tensor& image) const override;  ///< [rings], from coarse to fine
+  at::Tensor of(const at::Tensor& images) const override;  ///< [k, rings], from coarse to fine
   std::vector<SummaryBlock> blocks() const override;
   int minimum_resolution() const override { return 2 * rings_; }
 
@@ -37,7 +37,7 @@ class ColumnSpectrum final : public Summary {
  public:
   explicit ColumnSpectrum(int bands);
 
-  at::Tensor operator()(const at::Tensor& image) const override;  ///< [bands], from coarse to fine
+  at::Tensor of(const at::Tensor& images) const override;  ///< [k, bands], from coarse to fine
   std::vector<SummaryBlock> blocks() const override;
   int minimum_resolution() const override { return 2 * bands_; }
 

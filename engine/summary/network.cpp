@@ -9,8 +9,8 @@
 
 namespace patina {
 
-std::vector<at::Tensor> Network::features(const at::Tensor& image) const {
-  at::Tensor trunk = ((image.unsqueeze(0) - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
+std::vector<at::Tensor> Network::features(const at::Tensor& images) const {
+  at::Tensor trunk = ((images - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
   std::vector<at::Tensor> taps;
   for (const Layer& layer : layers_) {
     switch (layer.op) {
@@ -26,7 +26,7 @@ std::vector<at::Tensor> Network::features(const at::Tensor& image) const {
       case Op::tap: {
         at::Tensor tap = trunk;
         for (const FrozenConvolution& convolution : layer.convolutions) tap = convolve(convolution, tap);
-        taps.push_back(tap.squeeze(0));
+        taps.push_back(tap);
         break;
       }
     }

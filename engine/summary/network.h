@@ -37,9 +37,9 @@ class Network {
   static Network load(const std::filesystem::path& file, Precision precision = Precision::float32,
                       int taps = 0);
 
-  /// The feature maps of the taps, each [channels, height, width].
-  /// @param image [3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()
-  std::vector<at::Tensor> features(const at::Tensor& image) const;
+  /// The feature maps of the taps, each [k, channels, height, width], of several images in one pass.
+  /// @param images [k, 3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()
+  std::vector<at::Tensor> features(const at::Tensor& images) const;
 
   const std::string& name() const { return name_; }
   std::vector<std::int64_t> feature_channels() const;

@@ -10,11 +10,11 @@ QuarterSummary::QuarterSummary(std::shared_ptr<const Summary> whole, int quarter
   assert(quarter >= 0 && quarter < 4);
 }
 
-at::Tensor QuarterSummary::operator()(const at::Tensor& image) const {
-  const std::int64_t side = image.size(1) / 2;
-  const auto first = [&](bool second_half) { return second_half ? image.size(1) - side : 0; };
-  return (*whole_)(
-      image.narrow(1, first(quarter_ / 2), side).narrow(2, first(quarter_ % 2), side).contiguous());
+at::Tensor QuarterSummary::of(const at::Tensor& images) const {
+  const std::int64_t side = images.size(2) / 2;
+  const auto first = [&](bool second_half) { return second_half ? images.size(2) - side : 0; };
+  return whole_->of(
+      images.narrow(2, first(quarter_ / 2), side).narrow(3, first(quarter_ % 2), side).contiguous());
 }
 
 }  // namespace patina

@@ -10,7 +10,7 @@ class QuarterSummary final : public Summary {
  public:
   QuarterSummary(std::shared_ptr<const Summary> whole, int quarter);
 
-  at::Tensor operator()(const at::Tensor& image) const override;
+  at::Tensor of(const at::Tensor& images) const override;
   std::vector<SummaryBlock> blocks() const override { return whole_->blocks(); }
   int minimum_resolution() const override { return 2 * whole_->minimum_resolution(); }
 

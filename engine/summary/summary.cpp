@@ -23,10 +23,10 @@ class Composition final : public Summary {
  public:
   explicit Composition(std::vector<Part> parts) : parts_(std::move(parts)) {}
 
-  at::Tensor operator()(const at::Tensor& image) const override {
+  at::Tensor of(const at::Tensor& images) const override {
     std::vector<at::Tensor> vectors;
-    for (const Part& part : parts_) vectors.push_back((*part)(image));
-    return at::cat(vectors);
+    for (const Part& part : parts_) vectors.push_back(part->of(images));
+    return at::cat(vectors, 1);
   }
 
   std::vector<SummaryBlock> blocks() const override {
@@ -95,6 +95,8 @@ const Entry& find(const std::string& name) {
 }
 
 }  // namespace
+
+at::Tensor Summary::operator()(const at::Tensor& image) const { return of(image.unsqueeze(0)).squeeze(0); }
 
 int levels_of(const Summary& summary) {
   std::map<std::string, int> levels;  // "gram 1" to "gram 5", "covariances 1" to "covariances 5"

@@ -34,10 +34,14 @@ class Summary {
  public:
   virtual ~Summary() = default;
 
-  /// @param image  [3, n, n] float32, display (sRGB) values in [0,1]; n >= minimum_resolution()
-  /// @return       [sum of block sizes] float32; the Euclidean norm of a relative block's part equals the
-  ///               Frobenius norm of the full matrix it stands for (off-diagonal entries weighted by sqrt 2)
-  virtual at::Tensor operator()(const at::Tensor& image) const = 0;
+  /// Of several images in one pass, a row each.
+  /// @param images  [k, 3, n, n] float32, display (sRGB) values in [0,1]; n >= minimum_resolution()
+  /// @return        [k, sum of block sizes] float32; the Euclidean norm of a relative block's part equals the
+  ///                Frobenius norm of the full matrix it stands for (off-diagonal entries weighted by sqrt 2)
+  virtual at::Tensor of(const at::Tensor& images) const = 0;
+
+  /// Of one image. @param image  [3, n, n]   @return [sum of block sizes]
+  at::Tensor operator()(const at::Tensor& image) const;
 
   virtual std::vector<SummaryBlock> blocks() const = 0;
   virtual int minimum_resolution() const = 0;

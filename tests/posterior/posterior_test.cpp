@@ -147,7 +147,8 @@ TEST_P(EveryMaterial, IsOversampledWhereThePixelsMeansAreFarFromTheirMiddles) {
   settings.summary = "means";
   const Posterior posterior(settings, synthetic_photo(GetParam(), 2));
   const auto means = [&](int times) -> Eigen::VectorXd {
-    return posterior.simulated_summary(sensed(GetParam(), 2, settings.resolution, times));
+    const Image photo = sensed(GetParam(), 2, settings.resolution, times);
+    return posterior.simulated_summaries({&photo, 1});
   };
   const Eigen::VectorXd truth = means(8);
   const auto off = [&](int times) { return 255 * (means(times) - truth).cwiseAbs().mean(); };  // levels

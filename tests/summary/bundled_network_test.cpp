@@ -76,10 +76,10 @@ TEST_F(BundledNetwork, HasFewDeadChannelsAndGramMatricesOfOneOrder) {
   const Network network = Network::load(bundled_network());
   std::vector<at::Tensor> power(5);  // mean square of each channel, by tap, over all images
   for (const at::Tensor& image : images) {
-    const std::vector<at::Tensor> features = network.features(image);
+    const std::vector<at::Tensor> features = network.features(image.unsqueeze(0));
     ASSERT_EQ(features.size(), power.size());
     for (std::size_t tap = 0; tap < power.size(); ++tap) {
-      const at::Tensor mine = features[tap].square().mean({1, 2}) / static_cast<double>(images.size());
+      const at::Tensor mine = features[tap].square().mean({0, 2, 3}) / static_cast<double>(images.size());
       power[tap] = power[tap].defined() ? power[tap] + mine : mine;
     }
   }

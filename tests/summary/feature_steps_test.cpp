@@ -105,27 +105,26 @@ TEST(FeatureSteps, AMapTooSmallToReflectIsRefused) {
 
 TEST(FeatureSteps, GramVectorHasTheGradientThatDifferentiatingTheProductGives) {
   const Step plain = [](const at::Tensor& features) {
-    const at::Tensor flat = features.reshape({features.size(0), -1});
+    const at::Tensor flat = features.reshape({features.size(1), -1});
     const at::Tensor gram = flat.matmul(flat.t()) / static_cast<double>(flat.size(1));
     std::vector<at::Tensor> entries;
     for (std::int64_t i = 0; i < gram.size(0); ++i)
       for (std::int64_t j = i; j < gram.size(0); ++j)
         entries.push_back(gram[i][j] * (i == j ? 1 : std::sqrt(2.0)));
-    return at::stack(entries);
+    return at::stack(entries).unsqueeze(0);
   };
-  const at::Tensor features = random_tensor({6, 7, 9}, 5);
+  const at::Tensor features = random_tensor({1, 6, 7, 9}, 5);
   expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain, features, "rows of channels");
   expect_same_step([](const at::Tensor& x) { return gram_vector(x); }, plain,
-                   features.unsqueeze(0).contiguous(at::MemoryFormat::ChannelsLast).squeeze(0),
-                   "channels last");
+                   features.contiguous(at::MemoryFormat::ChannelsLast), "channels last");
 }
 
 TEST(FeatureSteps, CovarianceVectorIsTheGramVectorOfCentredFeaturesAndSoIsItsGradient) {
   const Step centred = [](const at::Tensor& features) {
-    return gram_vector(features - features.mean({1, 2}, true));
+    return gram_vector(features - features.mean({2, 3}, true));
   };
   expect_same_step([](const at::Tensor& x) { return covariance_vector(x); }, centred,
-                   random_tensor({6, 7, 9}, 5), "centred");
+                   random_tensor({2, 6, 7, 9}, 5), "centred");
 }
 
 }  // namespace

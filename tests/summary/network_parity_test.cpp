@@ -38,7 +38,7 @@ class NetworkParity : public NetworkFiles {
   double error(const Network& network) const {
     const at::NoGradGuard no_grad;
     const std::vector<at::Tensor> features =
-        network.features(raw("image.f32", {3, kSide, kSide}, at::kFloat));
+        network.features(raw("image.f32", {1, 3, kSide, kSide}, at::kFloat));
     EXPECT_EQ(features.size(), 5u);
     double largest = 0;
     for (std::size_t k = 0; k < features.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/full.h>
+#include <ATen/ops/stack.h>
 
 #include <cmath>
 #include <limits>
@@ -37,13 +38,13 @@ TEST_F(NetworkTest, FeaturesEqualPlainLoopsInDouble) {
       return naive::convolved(x, contents, name, relu);
     };
     naive::Maps trunk = conv(naive::normalised(naive::from_tensor(image), mean, std), "a", true);
-    const std::vector<at::Tensor> features = network.features(image);
+    const std::vector<at::Tensor> features = network.features(image.unsqueeze(0));
     ASSERT_EQ(features.size(), 3u);
-    expect_equal(features[0], trunk, 1e-5);
+    expect_equal(features[0][0], trunk, 1e-5);
     trunk = conv(naive::average_pooled(trunk), "b", false);
-    expect_equal(features[1], conv(conv(trunk, "aside1", true), "aside2", true), 1e-5);
+    expect_equal(features[1][0], conv(conv(trunk, "aside1", true), "aside2", true), 1e-5);
     trunk = conv(naive::max_pooled(trunk), "c", true);
-    expect_equal(features[2], trunk, 1e-5);
+    expect_equal(features[2][0], trunk, 1e-5);
   }
 }
 
@@ -60,7 +61,7 @@ TEST_F(NetworkTest, PadsWithZerosWhereItsDescriptionSaysSo) {
   const naive::Maps input = naive::normalised(naive::from_tensor(image), mean, std);
   for (const bool reflect : {true, false}) {
     const SafeTensors padded = with_padding(contents, reflect ? R"("reflect")" : R"("zero")");
-    expect_equal(Network::load(file(padded)).features(image)[0],
+    expect_equal(Network::load(file(padded)).features(image.unsqueeze(0))[0][0],
                  naive::convolved(input, contents, "a", true, reflect), 1e-5);
   }
   for (const char* bad : {"\"circular\"", "3", "null"})
@@ -75,12 +76,12 @@ TEST_F(NetworkTest, WhatLiesBehindTheLastTapIsNeitherReadNorRun) {
   contents.tensors["b.bias"] = at::full({5}, std::numeric_limits<double>::quiet_NaN(), at::kFloat);
   const Network network = Network::load(file(contents));
   EXPECT_EQ(network.minimum_resolution(), 2) << "that of the first convolution";
-  EXPECT_EQ(network.features(random_image(8)).size(), 1u);
+  EXPECT_EQ(network.features(random_image(8).unsqueeze(0)).size(), 1u);
 }
 
 TEST_F(NetworkTest, FirstLevelsAloneAreTheSameAndTheOthersAreNotRead) {
   const std::filesystem::path whole = file(small_network());
-  const at::Tensor image = random_image(20);
+  const at::Tensor image = random_image(20).unsqueeze(0);
   const std::vector<at::Tensor> all = Network::load(whole).features(image);
   ASSERT_EQ(all.size(), 3u);
   for (const int levels : {1, 2, 3}) {
@@ -100,14 +101,14 @@ TEST_F(NetworkTest, TellsItsChannelsAndTheSmallestImageItTakes) {
   const Network network = Network::load(file(small_network()));
   EXPECT_EQ(network.feature_channels(), (std::vector<std::int64_t>{4, 2, 3}));
   ASSERT_EQ(network.minimum_resolution(), 6) << "5 x 5 filters after one pooling reflect 2 of 3 pixels";
-  EXPECT_EQ(network.features(random_image(6)).size(), 3u);
-  EXPECT_ANY_THROW(network.features(random_image(5)));
+  EXPECT_EQ(network.features(random_image(6).unsqueeze(0)).size(), 3u);
+  EXPECT_ANY_THROW(network.features(random_image(5).unsqueeze(0)));
 }
 
 TEST(GramVector, EqualsLoopsOverThePixelsAndKeepsTheFrobeniusNorm) {
   const at::Tensor features = random_tensor({5, 7, 9}, 4);
   const std::vector<double> expected = naive::gram(naive::from_tensor(features));
-  const at::Tensor vector = gram_vector(features);
+  const at::Tensor vector = gram_vector(features.unsqueeze(0)).squeeze(0);
   ASSERT_EQ(vector.numel(), 15);
   std::int64_t k = 0;
   double square = 0;
@@ -134,17 +135,46 @@ TEST_F(NetworkTest, GradientPassesRectifiersAndMaxima) {
   EXPECT_LT(gradient_error(*summary, 16, 3e-4), 1e-2) << "the error falls with the step: kinks";
 }
 
+/// A random linear functional of a vector, which every entry weighs on.
+at::Tensor functional(const at::Tensor& vector) { return (vector * random_tensor(vector.sizes(), 8)).sum(); }
+
+TEST_F(NetworkTest, SeveralImagesInOnePassHaveTheSummariesAndGradientsThatEachHasByItself) {
+  const std::filesystem::path path = file(small_network());
+  const at::Tensor images = at::stack({random_image(34, 3), random_image(34, 4), random_image(34, 5)});
+  for (const char* name : {"gram", "covariances", "gram+covariances+rings+bands"}) {
+    const auto summary = make_summary(name, path);
+    const at::Tensor together = images.clone().set_requires_grad(true), rows = summary->of(together);
+    (functional(rows[0]) + functional(rows[1]) + functional(rows[2])).backward();
+    for (std::int64_t i = 0; i < images.size(0); ++i) {
+      const at::Tensor alone = images[i].clone().set_requires_grad(true), row = (*summary)(alone);
+      functional(row).backward();
+      EXPECT_TRUE(rows[i].allclose(row, 1e-4, 1e-6)) << name << ", image " << i;
+      EXPECT_LT((together.grad()[i] - alone.grad()).norm().item<double>(),
+                1e-5 * alone.grad().norm().item<double>())
+          << name << ", image " << i;
+      EXPECT_FALSE(rows[i].allclose(rows[(i + 1) % 3], 1e-4, 1e-6)) << "the control: another image's";
+    }
+  }
+}
+
+TEST(GramVector, OfManyChannelsIsThatOfEachImageByItselfToo) {  // by a BLAS
+  const at::Tensor features = random_tensor({2, 100, 5, 6}, 4);
+  const at::Tensor rows = gram_vector(features);
+  for (std::int64_t i = 0; i < 2; ++i)
+    EXPECT_TRUE(rows[i].allclose(gram_vector(features.slice(0, i, i + 1))[0])) << i;
+}
+
 TEST_F(NetworkTest, SummaryIsItsBlocksInOrder) {
   const std::filesystem::path path = file(small_network());
   const auto summary = make_summary("gram", path);
   const at::Tensor image = random_image(20), vector = (*summary)(image);
-  const std::vector<at::Tensor> features = Network::load(path).features(image);
+  const std::vector<at::Tensor> features = Network::load(path).features(image.unsqueeze(0));
   std::int64_t at = 0;
   const std::vector<SummaryBlock> blocks = summary->blocks();
   ASSERT_EQ(blocks.size(), features.size() + 1);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const bool gram = i < features.size();
-    const at::Tensor expected = gram ? gram_vector(features[i]) : RingMeans(4)(image);
+    const at::Tensor expected = gram ? gram_vector(features[i])[0] : RingMeans(4)(image);
     EXPECT_EQ(blocks[i].scale, gram ? ErrorScale::relative : ErrorScale::regional) << blocks[i].name;
     ASSERT_EQ(blocks[i].size, expected.numel()) << blocks[i].name;
     EXPECT_TRUE(vector.slice(0, at, at + blocks[i].size).allclose(expected)) << blocks[i].name;

@@ -153,7 +153,7 @@ TEST_F(SafeTensorsFile, TakesOrRefusesRandomlyChangedNetworks) {
     const std::string said = user_error([&] {
       const Network network = Network::load(file(bytes));
       ++loaded;
-      if (network.minimum_resolution() <= 24) network.features(image);
+      if (network.minimum_resolution() <= 24) network.features(image.unsqueeze(0));
     });
     refused += !said.empty();
   }
