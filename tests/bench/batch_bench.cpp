@@ -1,6 +1,6 @@
 // Whether several chains' renders should go through the network as one batch: the convolutions of the bundled
 // network, there and back, on four maps at once by all threads, and one by one by as many threads, as chains
-// do. Medians of interleaved repeats.
+// do; and the same by one thread, as simulated photos go through it. Medians of interleaved repeats.
 //   bench-batch [REPEATS=15]
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
@@ -78,7 +78,8 @@ void report(std::int64_t side, int repeats) {
   constexpr int kRounds = 4;  // of every measurement, so that starting threads counts for little
   const std::vector<Layer> layers = make_layers();
   const Work batch(layers, kChains, side);
-  const std::vector<Work> chains(kChains, Work(layers, 1, side));
+  std::vector<Work> chains;
+  for (int i = 0; i < kChains; ++i) chains.emplace_back(layers, 1, side);
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
   const auto together = [&] {
     at::set_num_threads(threads);
@@ -93,16 +94,23 @@ void report(std::int64_t side, int repeats) {
           for (int c = t; c < kChains; c += threads) chains[static_cast<std::size_t>(c)].run(layers);
       });
   };
-  std::vector<double> batched, single, ratios;
+  const auto by_one_thread = [&](const Work& work) {
+    at::set_num_threads(1);
+    for (int i = 0; i < kRounds; ++i) work.run(layers);
+  };
+  std::vector<double> batched, single, ratios, of_one_thread;
   for (int i = -1; i < repeats; ++i) {  // the first to warm up
     const double a = milliseconds(together) / kRounds, b = milliseconds(apart) / kRounds;
     if (i < 0) continue;
     batched.push_back(a);
     single.push_back(b);
     ratios.push_back(a / b);
+    of_one_thread.push_back(milliseconds([&] { by_one_thread(batch); }) / milliseconds([&] {
+                              for (const Work& chain : chains) by_one_thread(chain);
+                            }));
   }
-  std::printf("| %d | %.2f | %.2f | %.2f |\n", static_cast<int>(side), median(batched), median(single),
-              median(ratios));
+  std::printf("| %d | %.2f | %.2f | %.2f | %.2f |\n", static_cast<int>(side), median(batched), median(single),
+              median(ratios), median(of_one_thread));
 }
 
 }  // namespace
@@ -110,7 +118,7 @@ void report(std::int64_t side, int repeats) {
 
 int main(int argc, char** argv) {
   const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
-  std::puts("| pixels | one batch of 4, ms | 4 by themselves, ms | batch / by themselves |");
-  std::puts("|---|---|---|---|");
+  std::puts("| pixels | one batch of 4, ms | 4 by themselves, ms | batch / by themselves | on one thread |");
+  std::puts("|---|---|---|---|---|");
   for (const std::int64_t side : {32, 64, 128, 256}) patina::report(side, repeats);
 }
