@@ -63,11 +63,12 @@ std::map<std::string, TruncatedNormal> camera_priors(const std::string& material
 }
 
 MaterialEvidence::MaterialEvidence(const std::string& material, const RankSettings& settings,
-                                   const Image& photo)
+                                   const Image& photo, double glance)
     : settings_(settings),
       photo_(photo),
       coarse_(posterior_settings(material, settings, coarser(settings.resolution)), photo),
       posterior_(posterior_settings(material, settings, settings.resolution), photo),
+      glance_(glance),
       best_(posterior_.position(prior_location(posterior_.table()))),
       expected_misfit_(expected_misfit(settings)) {}
 
@@ -155,6 +156,7 @@ RankedMaterial MaterialEvidence::ranked() const {
   ranked.log_evidence = evidence_.value;
   if (std::isfinite(evidence_.error)) ranked.error = evidence_.error;
   ranked.quarters = quarters_;
+  ranked.glance = glance_;
   ranked.match = posterior_.values(best_);
   ranked.misfit = std::sqrt(misfit_ / expected_misfit_);
   ranked.misfit_of_another_sample = misfit_of_another_sample_;

@@ -22,8 +22,9 @@ std::map<std::string, TruncatedNormal> camera_priors(const std::string& material
 /// One material's posterior for the photo that a ranking is about, and what is known of its evidence.
 class MaterialEvidence {
  public:
-  /// @param photo  outlives this   @throws UserError
-  MaterialEvidence(const std::string& material, const RankSettings& settings, const Image& photo);
+  /// @param photo  outlives this   @param glance  log probability before the search   @throws UserError
+  MaterialEvidence(const std::string& material, const RankSettings& settings, const Image& photo,
+                   double glance);
 
   /// A search from draws of the prior, coarse first, and Laplace's approximation in the basins that it ends
   /// in.
@@ -46,6 +47,7 @@ class MaterialEvidence {
   RankSettings settings_;
   const Image& photo_;
   Posterior coarse_, posterior_;
+  double glance_;
   LogEvidence evidence_;
   Position best_;                        ///< the prior's means before a search
   double expected_misfit_, misfit_ = 0;  ///< half chi-squares

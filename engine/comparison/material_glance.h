@@ -15,7 +15,7 @@ std::vector<double> glances(const Image& photo, const std::vector<std::string>& 
 
 /// Ranks materials by that network alone (prediction/material_chooser.h), in a second or two: log evidence is
 /// the logarithm of the probability, the match a predictor's guess, and what would take a search is left out.
-/// @param settings  materials that can_glance() affirms
+/// @throws UserError if it cannot be used, or has not learned all of them
 MaterialRanking glance(const Image& photo, const RankSettings& settings);
 
 }  // namespace patina

@@ -1,7 +1,6 @@
 #include "engine/comparison/rank_materials.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <mutex>
 
@@ -62,11 +61,9 @@ class Ranking {
   Ranking(const Image& photo, const RankSettings& settings, RunControl& control, Report& report)
       : settings_(settings), control_(control), report_(report) {
     const std::vector<double> seen = glances(photo, settings.materials);
-    for (std::size_t i = 0; i < settings.materials.size(); ++i) {
-      const std::string& name = settings.materials[i];
-      candidates_.push_back(std::make_unique<MaterialEvidence>(name, settings, photo));
-      glances_[name] = seen.empty() ? 0 : seen[i];
-    }
+    for (std::size_t i = 0; i < settings.materials.size(); ++i)
+      candidates_.push_back(std::make_unique<MaterialEvidence>(settings.materials[i], settings, photo,
+                                                               seen.empty() ? 0 : seen[i]));
   }
 
   MaterialRanking run() {
@@ -77,7 +74,7 @@ class Ranking {
     if (settings_.finalists > 0) work_through(foretold, 1, "weighing ", &MaterialEvidence::measure);
     MaterialRanking ranking;
     for (const auto* group : {&candidates_, &dropped_})
-      for (const auto& candidate : *group) ranking.materials.push_back(ranked(*candidate));
+      for (const auto& candidate : *group) ranking.materials.push_back(candidate->ranked());
     put_in_order(ranking.materials);
     compare_samples(ranking.materials.front());
     ranking.summary = settings_.summary;
@@ -98,12 +95,6 @@ class Ranking {
     }
   }
 
-  RankedMaterial ranked(const MaterialEvidence& candidate) const {
-    RankedMaterial ranked = candidate.ranked();
-    ranked.glance = glances_.at(ranked.material);
-    return ranked;
-  }
-
   void compare_samples(RankedMaterial& first) {
     for (const auto* group : {&candidates_, &dropped_})
       for (const auto& candidate : *group) {
@@ -115,7 +106,7 @@ class Ranking {
 
   /// Keeps the finalists: none where the first is far ahead of all others.
   void drop_the_hopeless() {
-    const auto odds = [&](const auto& candidate) { return log_odds(ranked(*candidate)); };
+    const auto odds = [&](const auto& candidate) { return log_odds(candidate->ranked()); };
     std::ranges::stable_sort(candidates_, std::greater(), odds);
     const double best = odds(candidates_.front());
     const auto in_the_running =
@@ -128,7 +119,6 @@ class Ranking {
   const RankSettings& settings_;
   RunControl& control_;
   Report& report_;
-  std::map<std::string, double> glances_;  ///< log probabilities, by material
   std::vector<std::unique_ptr<MaterialEvidence>> candidates_, dropped_;
 };
 
@@ -150,13 +140,7 @@ std::optional<MaterialRanking> rank_materials(
     const std::function<void(double fraction, const std::string& doing)>& progress, std::stop_token stop) {
   check(settings);
   const RankSettings complete = completed(settings);
-  if (complete.glance) {
-    if (!can_glance(complete.materials))
-      throw UserError(
-          "One of the materials was not learned by the network that tells them apart: compare by searches, "
-          "or train it again (resources/predictors).");
-    return glance(photo, complete);
-  }
+  if (complete.glance) return glance(photo, complete);
   RunControl control;
   const std::stop_callback pass_on(std::move(stop), [&] { control.stop(); });
   Report report(progress);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "engine/format.h"
+#include "engine/sampling/evidence.h"
 
 namespace patina {
 namespace {
@@ -57,11 +59,10 @@ bool foretells_worse(const RankedMaterial& a, const RankedMaterial& b) {
 void put_in_order(std::vector<RankedMaterial>& materials) {
   if (materials.empty()) return;
   std::ranges::stable_sort(materials, std::greater(), log_odds);
-  const double best = log_odds(materials.front());
-  double total = 0;
-  for (const RankedMaterial& material : materials) total += std::exp(log_odds(material) - best);
-  for (RankedMaterial& material : materials)
-    material.probability = std::exp(log_odds(material) - best) / total;
+  std::vector<double> odds;
+  std::ranges::transform(materials, std::back_inserter(odds), log_odds);
+  const double all = log_sum_exp(odds);
+  for (RankedMaterial& material : materials) material.probability = std::exp(log_odds(material) - all);
   const auto tied = [&](const RankedMaterial& m) { return within_error(m, materials.front()); };
   const RankedMaterial* seer = &materials.front();
   for (const RankedMaterial& rival : materials)

@@ -45,7 +45,8 @@ at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
   assert(times == 1 || times == 2);
   const at::Tensor image = photograph(material->surface(parameters, discrete, z, capture, side), capture,
                                       side, DisplayCurve::srgb);
-  return (*summary)(times == 1 ? image : average_pool(image.unsqueeze(0)).squeeze(0));
+  const at::Tensor images = image.unsqueeze(0);
+  return summary->of(times == 1 ? images : average_pool(images)).squeeze(0);
 }
 
 Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z, const Camera& camera,

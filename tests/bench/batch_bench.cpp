@@ -81,9 +81,9 @@ void report(std::int64_t side, int repeats) {
   std::vector<Work> chains;
   for (int i = 0; i < kChains; ++i) chains.emplace_back(layers, 1, side);
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
-  const auto together = [&] {
-    at::set_num_threads(threads);
-    for (int i = 0; i < kRounds; ++i) batch.run(layers);
+  const auto by_threads = [&](int count, const Work& work) {
+    at::set_num_threads(count);
+    for (int i = 0; i < kRounds; ++i) work.run(layers);
   };
   const auto apart = [&] {
     std::vector<std::jthread> pool;
@@ -94,19 +94,16 @@ void report(std::int64_t side, int repeats) {
           for (int c = t; c < kChains; c += threads) chains[static_cast<std::size_t>(c)].run(layers);
       });
   };
-  const auto by_one_thread = [&](const Work& work) {
-    at::set_num_threads(1);
-    for (int i = 0; i < kRounds; ++i) work.run(layers);
-  };
   std::vector<double> batched, single, ratios, of_one_thread;
   for (int i = -1; i < repeats; ++i) {  // the first to warm up
-    const double a = milliseconds(together) / kRounds, b = milliseconds(apart) / kRounds;
+    const double a = milliseconds([&] { by_threads(threads, batch); }) / kRounds,
+                 b = milliseconds(apart) / kRounds;
     if (i < 0) continue;
     batched.push_back(a);
     single.push_back(b);
     ratios.push_back(a / b);
-    of_one_thread.push_back(milliseconds([&] { by_one_thread(batch); }) / milliseconds([&] {
-                              for (const Work& chain : chains) by_one_thread(chain);
+    of_one_thread.push_back(milliseconds([&] { by_threads(1, batch); }) / milliseconds([&] {
+                              for (const Work& chain : chains) by_threads(1, chain);
                             }));
   }
   std::printf("| %d | %.2f | %.2f | %.2f | %.2f |\n", static_cast<int>(side), median(batched), median(single),
