@@ -69,12 +69,14 @@ if(PATINA_SANITIZE)
       LIBRARIES Eigen3::Eigen lbfgs OpenSSL::Crypto ${TORCH_LIBRARIES} ${CMAKE_DL_LIBS})
   endforeach()
 
-  # The window under random input. The engine below it is as it is.
-  file(GLOB window_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/gui/*.cpp ${CMAKE_SOURCE_DIR}/gui/*/*.cpp)
-  list(FILTER window_sources EXCLUDE REGEX "gui/(main|window/(glfw_window|explorer|explorer_library))\\.cpp$")
-  patina_sanitized_test(gui address LEAKS gui/leaks.supp
-    SOURCES ${window_sources} gui/app_random_test.cpp
-    LIBRARIES patina_chart patina_comparison patina_run patina_material patina_diagnostics patina_io
-              nlohmann_json::nlohmann_json PkgConfig::imgui PkgConfig::freetype2 PkgConfig::osmesa Eigen3::Eigen)
-  target_compile_definitions(test-gui-asan PRIVATE PATINA_VERSION="${PROJECT_VERSION}" PATINA_RANDOM_EVENTS=10000)
+  if(PATINA_GUI)
+    # The window under random input. The engine below it is as it is.
+    file(GLOB window_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/gui/*.cpp ${CMAKE_SOURCE_DIR}/gui/*/*.cpp)
+    list(FILTER window_sources EXCLUDE REGEX "gui/(main|window/(glfw_window|explorer|explorer_library))\\.cpp$")
+    patina_sanitized_test(gui address LEAKS gui/leaks.supp
+      SOURCES ${window_sources} gui/app_random_test.cpp
+      LIBRARIES patina_chart patina_comparison patina_run patina_material patina_diagnostics patina_io
+                nlohmann_json::nlohmann_json PkgConfig::imgui PkgConfig::freetype2 PkgConfig::osmesa Eigen3::Eigen)
+    target_compile_definitions(test-gui-asan PRIVATE PATINA_VERSION="${PROJECT_VERSION}" PATINA_RANDOM_EVENTS=10000)
+  endif()
 endif()

@@ -67,6 +67,9 @@ void FitOptions::add_model(CLI::App& command) {
       "What the network multiplies in: float32, or bfloat16, less exact and several times as fast on "
       "processors "
       "that are made for it");
+  add(command, "--device", &RunSettings::device,
+      "What the network runs on: cpu, or cuda, a graphics card, where Patina was built with a libtorch for "
+      "it");
   add(command, "--errors", &RunSettings::errors,
       "What renders may be off by: paper (set by hand) or calibrated (learnt from simulated photos, in place "
       "of a search for the best match)");

@@ -50,7 +50,8 @@ struct Posterior::Parts {
 
   Parts(const PosteriorSettings& s, const Image& photo)
       : settings(s),
-        model(make_material(s.material), make_summary(s.summary, s.network, precision_named(s.precision)),
+        model(make_material(s.material),
+              make_summary(s.summary, s.network, precision_named(s.precision), device_named(s.device)),
               s.capture, s.resolution),
         space(table_under(model.material->table(), s.capture), s.priors, s.fixed),
         z(std::make_shared<const Irregularities>(s.z_seed)) {

@@ -29,6 +29,7 @@ struct PosteriorSettings {
   std::string summary = "gram";
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of the network's convolutions (engine/summary/precision.h)
+  std::string device = "cpu";         ///< of the network (engine/summary/device.h)
   std::uint64_t z_seed = 1;           ///< fixes the irregularities for the whole run
   // Set by hand, as in the paper: the means' as in its fitting code, the Gram matrices' to how far its own
   // fits stay from their 14 photos, on average a relative distance of 0.267. That is the error of the model,

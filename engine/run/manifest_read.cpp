@@ -11,6 +11,7 @@
 #include "engine/run/manifest_phase.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
+#include "engine/summary/device.h"
 #include "engine/summary/precision.h"
 
 namespace patina {
@@ -130,6 +131,7 @@ RunSettings settings(const Json& json) {
   s.network = text(json, "network");
   s.kernel = text(json, "kernel");
   s.precision = one_of(json, "precision", precision_names(), s.precision);
+  s.device = one_of(json, "device", device_names(), s.device);
   s.errors = one_of(json, "errors", error_names(), s.errors);
   if (json.contains("metric")) s.metric = text(json, "metric");  // runs of the first version have none
   if (json.contains("discrete")) s.discrete = text(json, "discrete");

@@ -24,6 +24,7 @@ Json settings_json(const RunSettings& s) {
           {"summary", s.summary},
           {"network", s.network.string()},
           {"precision", s.precision},
+          {"device", s.device},
           {"errors", s.errors},
           {"kernel", s.kernel},
           {"metric", s.metric},

@@ -1,5 +1,6 @@
 #include "engine/run/posterior_settings.h"
 
+#include "engine/summary/device.h"
 #include "engine/summary/summary_name.h"
 
 namespace patina {
@@ -12,6 +13,8 @@ PosteriorSettings posterior_settings(const RunSettings& settings, int resolution
   posterior.summary = settings.summary;
   posterior.network = settings.network;
   posterior.precision = settings.precision;
+  // Whoever looks at a run need not have the card that made it; check_settings() asks for that.
+  if (is_at_hand(device_named(settings.device))) posterior.device = settings.device;
   posterior.z_seed = settings.z_seed;
   posterior.fixed = settings.fixed;
   posterior.priors = settings.priors;

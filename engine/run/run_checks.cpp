@@ -10,6 +10,7 @@
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/run_files.h"
 #include "engine/sampling/kernels.h"
+#include "engine/summary/device.h"
 #include "engine/summary/precision.h"
 
 namespace patina {
@@ -68,7 +69,9 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
     throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
   check_name("error model", settings.errors, error_names());
   check_name("precision", settings.precision, precision_names());
-  if (settings.precision == "bfloat16" && !bfloat16_pays())
+  check_name("device", settings.device, device_names());
+  check_at_hand(device_named(settings.device));
+  if (settings.precision == "bfloat16" && settings.device == "cpu" && !bfloat16_pays())
     throw UserError("bfloat16 is no faster than float32 on this processor: leave it at float32.");
   check_name("start", settings.start, start_names());
   check_name("kernel", settings.kernel, run_kernel_names());

@@ -38,6 +38,7 @@ struct RunSettings {
   std::string summary;
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
+  std::string device = "cpu";         ///< that it runs on (engine/summary/device.h)
   /// What renders may be off by, of error_names(): "paper", set by hand; "calibrated", learnt from simulated
   /// photos (posterior/calibrate.h).
   std::string errors = "paper";

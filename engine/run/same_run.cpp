@@ -22,6 +22,7 @@ Json identity(const Manifest& manifest) {
   // As before there were others.
   if (json["settings"]["errors"] == "paper") json["settings"].erase("errors");
   if (json["settings"]["precision"] == "float32") json["settings"].erase("precision");
+  if (json["settings"]["device"] == "cpu") json["settings"].erase("device");
   json["settings"].erase("network");  // its checksum counts, not where it lies
   return json.flatten();
 }

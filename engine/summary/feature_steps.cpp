@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "engine/summary/feature_kernel.h"
+#include "engine/summary/library_steps.h"
 
 namespace patina {
 namespace {
@@ -125,10 +126,13 @@ FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, b
       reflect(by_reflection) {}
 
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x) {
+  if (!x.is_cpu()) return convolve_by_library(convolution, x);
   return Convolve::apply(x, convolution.weight, convolution.bias, convolution.mirrored, convolution.relu,
                          convolution.reflect);
 }
 
-at::Tensor average_pool(const at::Tensor& x) { return AveragePool::apply(x); }
+at::Tensor average_pool(const at::Tensor& x) {
+  return x.is_cpu() ? AveragePool::apply(x) : average_pool_by_library(x);
+}
 
 }  // namespace patina

@@ -20,8 +20,8 @@ struct FrozenConvolution {
 };
 
 // The steps of a network on a feature map [k, channels, h, w] float32, channels last, of k images;
-// differentiable once, by the map alone. Each is one pass over memory where tensor operations would take
-// several.
+// differentiable once, by the map alone. On the processor each is one pass over memory where tensor
+// operations (library_steps.h, for other devices) would take several.
 
 /// [ReLU] (weight * x + bias).
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x);

@@ -25,17 +25,19 @@ struct Triangle {
   at::Tensor places, weights;
 };
 
-Triangle upper_triangle(std::int64_t channels, at::ScalarType type) {
-  const at::Tensor upper = at::triu_indices(channels, channels);
-  return {upper[0] * channels + upper[1], at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(type)};
+/// @param like  a tensor of the weights' type and device
+Triangle upper_triangle(std::int64_t channels, const at::Tensor& like) {
+  const at::Tensor upper = at::triu_indices(channels, channels, 0, like.options().dtype(at::kLong));
+  return {upper[0] * channels + upper[1],
+          at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(like.scalar_type())};
 }
 
-/// Up to so many channels our own products are faster than a BLAS, which is made for matrices that are large
-/// both ways (bench-summary).
+/// On the processor, up to so many channels our own products are faster than a BLAS, which is made for
+/// matrices that are large both ways (bench-summary).
 constexpr std::int64_t kFewChannels = 96;
 
 bool is_small(const at::Tensor& pixels) {
-  return pixels.size(1) <= kFewChannels && pixels.scalar_type() == at::kFloat;
+  return pixels.is_cpu() && pixels.size(1) <= kFewChannels && pixels.scalar_type() == at::kFloat;
 }
 
 /// @param pixels  [pixels, channels]   @param gram  [channels, channels], written
@@ -67,14 +69,14 @@ struct GramVector : torch::autograd::Function<GramVector> {
     context->saved_data["rows"] = features.size(2);
     const at::Tensor grams = at::empty({images, channels, channels}, pixels.options());
     for (std::int64_t i = 0; i < images; ++i) gram_matrix(pixels[i], grams[i]);
-    const Triangle triangle = upper_triangle(channels, features.scalar_type());
+    const Triangle triangle = upper_triangle(channels, features);
     return grams.view({images, -1}).index_select(1, triangle.places) * triangle.weights;
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const at::Tensor pixels = context->get_saved_variables().front();
     const std::int64_t images = pixels.size(0), channels = pixels.size(2);
-    const Triangle triangle = upper_triangle(channels, pixels.scalar_type());
+    const Triangle triangle = upper_triangle(channels, pixels);
     const at::Tensor by_gram = at::zeros({images, channels * channels}, pixels.options())
                                    .index_copy(1, triangle.places, outputs.front() * triangle.weights)
                                    .view({images, channels, channels});
@@ -90,7 +92,7 @@ struct GramVector : torch::autograd::Function<GramVector> {
 /// What the features' means alone make of a Gram matrix, as gram_vector() has it.
 at::Tensor gram_of_means(const at::Tensor& features) {
   const at::Tensor means = features.mean({2, 3});
-  const Triangle triangle = upper_triangle(features.size(1), features.scalar_type());
+  const Triangle triangle = upper_triangle(features.size(1), features);
   const at::Tensor products = means.unsqueeze(2) * means.unsqueeze(1);
   return products.flatten(1).index_select(1, triangle.places) * triangle.weights;
 }
@@ -114,7 +116,7 @@ at::Tensor GramMatrices::of(const at::Tensor& images) const {
     if (about_ == About::both) covariances.push_back(grams.back() - gram_of_means(features));
   }
   grams.insert(grams.end(), covariances.begin(), covariances.end());
-  return at::cat(grams, 1);
+  return at::cat(grams, 1).to(at::kCPU);
 }
 
 std::vector<SummaryBlock> GramMatrices::blocks() const {

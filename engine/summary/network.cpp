@@ -10,7 +10,7 @@
 namespace patina {
 
 std::vector<at::Tensor> Network::features(const at::Tensor& images) const {
-  at::Tensor trunk = ((images - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
+  at::Tensor trunk = ((images.to(mean_.device()) - mean_) / std_).contiguous(at::MemoryFormat::ChannelsLast);
   std::vector<at::Tensor> taps;
   for (const Layer& layer : layers_) {
     switch (layer.op) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/summary/device.h"
 #include "engine/summary/feature_steps.h"
 
 namespace patina {
@@ -30,15 +31,17 @@ namespace patina {
 class Network {
  public:
   /// Reads only the tensors that its taps need, and rounds their weights to a precision.
-  /// @param taps  how many of its taps to keep, the first ones; 0: all
-  /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture, or
-  /// if
-  ///                   it has fewer taps
+  /// @param taps    how many of its taps to keep, the first ones; 0: all
+  /// @param device  to keep the weights on
+  /// @throws UserError if the file is unreadable, too large, or its tensors do not fit its architecture, if
+  /// it
+  ///                   has fewer taps, or if the device is not at hand
   static Network load(const std::filesystem::path& file, Precision precision = Precision::float32,
-                      int taps = 0);
+                      int taps = 0, Device device = Device::cpu);
 
-  /// The feature maps of the taps, each [k, channels, height, width], of several images in one pass.
-  /// @param images [k, 3, n, n] float32, sRGB in [0,1], n >= minimum_resolution()
+  /// The feature maps of the taps, each [k, channels, height, width] on the network's device, of several
+  /// images in one pass.
+  /// @param images [k, 3, n, n] float32, sRGB in [0,1], n >= minimum_resolution(), on any device
   std::vector<at::Tensor> features(const at::Tensor& images) const;
 
   const std::string& name() const { return name_; }
@@ -54,7 +57,7 @@ class Network {
   friend class NetworkReader;
 
   std::string name_;
-  at::Tensor mean_, std_;  ///< [1, 3, 1, 1]
+  at::Tensor mean_, std_;  ///< [1, 3, 1, 1], on its device
   std::vector<Layer> layers_;
 };
 

@@ -1,3 +1,4 @@
+#include <ATen/Context.h>
 #include <ATen/ops/isfinite.h>
 #include <ATen/ops/tensor.h>
 
@@ -10,12 +11,24 @@
 #include "engine/summary/weights_file.h"
 
 namespace patina {
+namespace {
+
+/// The library's name of a device, from which equal calls will get equal results.
+at::Device prepared(Device device) {
+  check_at_hand(device);
+  if (device == Device::cpu) return at::kCPU;
+  at::globalContext().setDeterministicCuDNN(true);
+  at::globalContext().setAllowTF32CuDNN(false);  // whose products have 11 bits, not 24
+  return at::kCUDA;
+}
+
+}  // namespace
 
 /// Builds a Network from a file's tensors and its description, believing neither.
 class NetworkReader {
  public:
-  NetworkReader(const std::filesystem::path& file, Precision precision, int wanted_taps)
-      : file_(file), precision_(precision), wanted_taps_(wanted_taps) {}
+  NetworkReader(const std::filesystem::path& file, Precision precision, int wanted_taps, Device device)
+      : file_(file), precision_(precision), wanted_taps_(wanted_taps), device_(prepared(device)) {}
 
   Network read() {
     const auto json = nlohmann::json::parse(description(), nullptr, false);
@@ -90,7 +103,7 @@ class NetworkReader {
     if (key == std::string("std"))
       for (const float number : numbers)
         if (number < kMinStd) refuse("its std is not above " + std::to_string(kMinStd));
-    return at::tensor(numbers, at::kFloat).view({1, 3, 1, 1});
+    return at::tensor(numbers, at::kFloat).view({1, 3, 1, 1}).to(device_);
   }
 
   const std::vector<std::int64_t>& shape(const std::string& name, std::size_t dimensions) const {
@@ -108,7 +121,7 @@ class NetworkReader {
     const at::Tensor read = file_.read(name);
     if (!at::isfinite(read).all().item<bool>())
       refuse("tensor '" + printable(name) + "' has values that are not numbers");
-    cached = read.dim() == 4 ? read.contiguous(at::MemoryFormat::ChannelsLast) : read;
+    cached = (read.dim() == 4 ? read.contiguous(at::MemoryFormat::ChannelsLast) : read).to(device_);
     return cached;
   }
 
@@ -159,6 +172,7 @@ class NetworkReader {
   WeightsFile file_;
   Precision precision_;
   int wanted_taps_;
+  at::Device device_;
   std::map<std::string, at::Tensor> tensors_;
   bool reflect_ = true;
   std::int64_t trunk_channels_ = 3;
@@ -166,8 +180,8 @@ class NetworkReader {
   int taps_ = 0;
 };
 
-Network Network::load(const std::filesystem::path& file, Precision precision, int taps) {
-  return NetworkReader(file, precision, taps).read();
+Network Network::load(const std::filesystem::path& file, Precision precision, int taps, Device device) {
+  return NetworkReader(file, precision, taps, device).read();
 }
 
 }  // namespace patina

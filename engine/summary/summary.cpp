@@ -50,14 +50,16 @@ class Composition final : public Summary {
 struct Source {
   std::filesystem::path file;
   Precision precision;
-  int levels;  ///< of the network; 0: all
+  Device device;
+  int levels = 0;  ///< of the network; 0: all
 };
 
 using MakePart = Part (*)(const Source& source);
 
 Part of_network(const Source& source, GramMatrices::About about) {
   const std::filesystem::path file = source.file.empty() ? bundled_network() : source.file;
-  return std::make_shared<GramMatrices>(Network::load(file, source.precision, source.levels), about);
+  return std::make_shared<GramMatrices>(Network::load(file, source.precision, source.levels, source.device),
+                                        about);
 }
 Part gram_matrices(const Source& source) { return of_network(source, GramMatrices::About::zero); }
 Part covariances(const Source& source) { return of_network(source, GramMatrices::About::mean); }
@@ -112,9 +114,9 @@ std::vector<std::string> summary_names() {
 }
 
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,
-                                            Precision precision) {
+                                            Precision precision, Device device) {
   std::vector<MakePart> chosen;
-  Source source{network, precision, 0};
+  Source source{network, precision, device};
   for (const std::string& named : parts_of(name)) {
     const auto [base, levels] = without_levels(named);
     if (levels > 0) source.levels = levels;

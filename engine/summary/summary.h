@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/summary/device.h"
 #include "engine/summary/precision.h"
 
 namespace patina {
@@ -62,8 +63,10 @@ int levels_of(const Summary& summary);
 ///                 order, those of the network together, what two of them share only once
 /// @param network  a weights file; empty for the bundled one. Read only by "gram" and "covariances".
 /// @param precision  of the network's convolutions
-/// @throws UserError for an unknown name or a file that is not a network
+/// @param device     that the network runs on; images come from main memory and summaries go there
+/// @throws UserError for an unknown name, a file that is not a network, or a device that is not at hand
 std::shared_ptr<const Summary> make_summary(const std::string& name, const std::filesystem::path& network,
-                                            Precision precision = Precision::float32);
+                                            Precision precision = Precision::float32,
+                                            Device device = Device::cpu);
 
 }  // namespace patina

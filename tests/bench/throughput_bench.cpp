@@ -9,7 +9,6 @@
 #include <ATen/ops/zeros.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -21,7 +20,7 @@
 #include "engine/run/threads.h"
 #include "engine/summary/feature_steps.h"
 #include "engine/summary/precision.h"
-#include "engine/summary/safetensors.h"
+#include "tests/bench/random_vgg19.h"
 #include "tests/bench/timing.h"
 
 extern "C" {
@@ -33,59 +32,23 @@ namespace patina {
 namespace {
 
 constexpr int kResolution = 512;
-constexpr std::int64_t kKernel = 3;
 constexpr auto kChannelsLast = at::MemoryFormat::ChannelsLast;
-
-/// A convolution of 3 x 3 on a square map.
-struct Shape {
-  std::int64_t in, out, side;
-
-  /// Multiplications and additions.
-  double operations() const { return 2.0 * kKernel * kKernel * in * out * side * side; }
-};
-
-/// Those of VGG-19 (Simonyan and Zisserman 2015, configuration E) on an image.
-std::vector<Shape> vgg19_shapes(std::int64_t side) {
-  std::vector<Shape> shapes;
-  std::int64_t in = 3;
-  for (const auto& [count, channels] :
-       std::vector<std::pair<int, std::int64_t>>{{2, 64}, {2, 128}, {4, 256}, {4, 512}, {4, 512}}) {
-    for (int i = 0; i < count; ++i, in = channels) shapes.push_back({in, channels, side});
-    side /= 2;
-  }
-  return shapes;
-}
-
-/// Weights of which activations neither vanish nor explode (He et al. 2015), by torchvision's names.
-SafeTensors random_vgg19() {
-  SafeTensors weights;
-  int module = 0;
-  std::int64_t side = kResolution;
-  for (const Shape& shape : vgg19_shapes(kResolution)) {
-    if (shape.side != side) ++module, side = shape.side;  // a pooling
-    const std::string name = "features." + std::to_string(module);
-    const double sd = std::sqrt(2.0 / static_cast<double>(kKernel * kKernel * shape.in));
-    weights.tensors[name + ".weight"] = at::randn({shape.out, shape.in, kKernel, kKernel}).mul_(sd);
-    weights.tensors[name + ".bias"] = at::zeros({shape.out});
-    module += 2;  // with its ReLU
-  }
-  return weights;
-}
 
 /// Operations a second of the library's convolution, of that of VGG-19's large shapes that suits it best.
 double best_throughput(Precision precision) {
   constexpr int kTimes = 8;
   const at::NoGradGuard no_grad;
   double best = 0;
-  for (const Shape& shape : {Shape{64, 64, 512}, {128, 128, 256}, {256, 256, 128}, {512, 512, 64}}) {
-    const at::Tensor weight = at::randn({shape.out, shape.in, kKernel, kKernel}).contiguous(kChannelsLast);
+  for (const ConvolutionShape& shape :
+       {ConvolutionShape{64, 64, 512}, {128, 128, 256}, {256, 256, 128}, {512, 512, 64}}) {
+    const at::Tensor weight = at::randn({shape.out, shape.in, 3, 3}).contiguous(kChannelsLast);
     const FrozenConvolution convolution(weight, at::zeros({shape.out}), /*relu=*/false, /*reflect=*/false,
                                         precision);
     const at::Tensor map = at::randn({1, shape.in, shape.side, shape.side}).contiguous(kChannelsLast);
     convolve(convolution, map);  // warms up
     const double spent = 1e-3 * milliseconds([&] {
-      for (int i = 0; i < kTimes; ++i) convolve(convolution, map);
-    });
+                           for (int i = 0; i < kTimes; ++i) convolve(convolution, map);
+                         });
     best = std::max(best, kTimes * shape.operations() / spent);
   }
   return best;
@@ -106,7 +69,7 @@ Pairs measure(const std::filesystem::path& network, const std::string& precision
   const Position position = target.position(prior_location(target.table()));
 
   double operations = 0;
-  for (const Shape& shape : vgg19_shapes(kResolution)) operations += 2 * shape.operations();
+  for (const ConvolutionShape& shape : vgg19_shapes(kResolution)) operations += 2 * shape.operations();
   Pairs pairs;
   for (int i = -1; i < repeats; ++i) {  // the first to warm up
     const double plain = best_throughput(precision_named(precision));
@@ -124,7 +87,7 @@ void report(int repeats) {
   use_tensor_threads(hardware_threads());
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "vgg19.safetensors";
-  write_safetensors(file, random_vgg19());
+  write_random_vgg19(file);
   std::printf("%d thread(s), medians of %d pairs\n", hardware_threads(), repeats);
   for (const std::string& precision : precision_names()) {
     if (precision == "bfloat16" && !bfloat16_pays()) {

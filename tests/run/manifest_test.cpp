@@ -24,6 +24,7 @@ class ManifestTest : public FolderTest {
     m.settings.discrete = "single";
     m.settings.errors = "calibrated";
     m.settings.precision = "bfloat16";
+    m.settings.device = "cuda";
     m.settings.temper = 8;
     m.settings.network = "/a b/net\"work.safetensors";
     m.settings.refresh = 0.3;
@@ -64,6 +65,7 @@ TEST_F(ManifestTest, UnknownNamesAndAFitThatCannotBeAreDamage) {
   EXPECT_THROW(read(with("/settings/errors", "guessed")), UserError);
   EXPECT_THROW(read(with("/settings/errors", 3)), UserError);
   EXPECT_THROW(read(with("/settings/precision", "float8")), UserError);
+  EXPECT_THROW(read(with("/settings/device", "abacus")), UserError);
   EXPECT_THROW(read(with("/photo_fit/widening", 0.5)), UserError);
   EXPECT_THROW(read(with("/photo_fit/p", 2)), UserError);
   EXPECT_NO_THROW(read(with("/photo_fit", nullptr)));
@@ -75,14 +77,16 @@ TEST_F(ManifestTest, APriorThatNoDrawCanComeFromIsDamage) {
   EXPECT_NE(user_error([&] { read(to_json(manifest)); }).find("prior"), std::string::npos);
 }
 
-TEST_F(ManifestTest, WithoutErrorsAndPrecisionIsOfTheFirstOnes) {
+TEST_F(ManifestTest, WithoutErrorsPrecisionAndDeviceIsOfTheFirstOnes) {
   Json json = Json::parse(to_json(full()));
   json["settings"].erase("errors");
   json["settings"].erase("precision");
+  json["settings"].erase("device");
   json.erase("photo_fit");
   const Manifest m = read(json.dump());
   EXPECT_EQ(m.settings.errors, "paper");
   EXPECT_EQ(m.settings.precision, "float32");
+  EXPECT_EQ(m.settings.device, "cpu");
   EXPECT_FALSE(m.photo_fit);
 }
 
@@ -93,6 +97,7 @@ TEST_F(ManifestTest, ReadsBackEveryFieldExactly) {
   EXPECT_EQ(r.settings.seed, m.settings.seed);
   EXPECT_EQ(r.settings.errors, m.settings.errors);
   EXPECT_EQ(r.settings.precision, m.settings.precision);
+  EXPECT_EQ(r.settings.device, m.settings.device);
   EXPECT_EQ(r.settings.fixed, m.settings.fixed);
   EXPECT_EQ(r.settings.priors, m.settings.priors);
   EXPECT_EQ(r.table.continuous[1].prior, m.table.continuous[1].prior);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/summary/device.h"
 #include "engine/summary/precision.h"
 #include "tests/run/run_fixture.h"
 
@@ -25,6 +26,7 @@ TEST_F(StartRunRefuses, UnknownNames) {
   EXPECT_NE(refusal([](auto& s) { s.kernel = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.metric = "nosuch"; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.discrete = "nosuch"; }).find("nosuch"), std::string::npos);
+  EXPECT_NE(refusal([](auto& s) { s.device = "nosuch"; }).find("cpu, cuda"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.precision = "nosuch"; }).find("float32, bfloat16"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.fixed["nosuch"] = 1; }).find("nosuch"), std::string::npos);
   EXPECT_NE(refusal([](auto& s) { s.priors["nosuch"] = {}; }).find("nosuch"), std::string::npos);
@@ -66,6 +68,11 @@ TEST_F(StartRunRefuses, APrecisionThatThisProcessorGainsNothingFrom) {
   if (bfloat16_pays()) GTEST_SKIP() << "this one gains";
   EXPECT_NE(refusal([](auto& s) { s.precision = "bfloat16"; }).find("leave it at float32"),
             std::string::npos);
+}
+
+TEST_F(StartRunRefuses, ADeviceThatIsNotAtHand) {
+  if (is_at_hand(Device::cuda)) GTEST_SKIP() << "this machine has it";
+  EXPECT_NE(refusal([](auto& s) { s.device = "cuda"; }).find("leave the device at cpu"), std::string::npos);
 }
 
 TEST_F(StartRunRefuses, ANetworkThatIsNone) {

@@ -1,9 +1,8 @@
-// The network's steps, each with a backward pass of its own, against the library's operations and their
-// differentiation.
+// The network's steps, each with a backward pass of its own, and what other devices run in their place,
+// against the library's operations and their differentiation.
 #include "engine/summary/feature_steps.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/conv2d.h>
 #include <ATen/ops/reflection_pad2d.h>
 #include <ATen/ops/relu.h>
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "engine/summary/gram.h"
+#include "engine/summary/library_steps.h"
 #include "tests/summary/network_files.h"
 
 namespace patina {
@@ -62,11 +62,13 @@ TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
             const at::Tensor y = at::conv2d(padded, weight, bias, 1, reflect ? 0 : pad);
             return relu ? at::relu(y) : y;
           };
-          expect_same_step([&](const at::Tensor& x) { return convolve(convolution, x); }, library,
-                           random_tensor({1, 4, rows, columns}, 3),
-                           std::to_string(kernel) + " on " + std::to_string(rows) + " x " +
-                               std::to_string(columns) + (relu ? ", relu" : "") +
-                               (reflect ? ", reflect" : ""));
+          const at::Tensor map = random_tensor({1, 4, rows, columns}, 3);
+          const std::string what = std::to_string(kernel) + " on " + std::to_string(rows) + " x " +
+                                   std::to_string(columns) + (relu ? ", relu" : "") +
+                                   (reflect ? ", reflect" : "");
+          expect_same_step([&](const at::Tensor& x) { return convolve(convolution, x); }, library, map, what);
+          expect_same_step([&](const at::Tensor& x) { return convolve_by_library(convolution, x); }, library,
+                           map, "on other devices: " + what);
         }
 }
 
@@ -89,18 +91,18 @@ TEST(FeatureSteps, InBfloat16AConvolutionIsOffByItsRoundingAndNoMore) {
   }
 }
 
-TEST(FeatureSteps, PoolingEqualsTheLibrarysAtEvenAndOddSizes) {
+TEST(FeatureSteps, PoolingEqualsThatOfOtherDevicesAtEvenAndOddSizes) {
   for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{8, 6}, {7, 9}, {2, 3}})
     expect_same_step([](const at::Tensor& x) { return average_pool(x); },
-                     [](const at::Tensor& x) {
-                       return at::avg_pool2d(x, {2, 2});
-                     },
+                     [](const at::Tensor& x) { return average_pool_by_library(x); },
                      random_tensor({1, 5, rows, columns}, 4), std::to_string(rows) + " rows");
 }
 
 TEST(FeatureSteps, AMapTooSmallToReflectIsRefused) {
   const FrozenConvolution wide(random_tensor({2, 3, 5, 5}, 1), random_tensor({2}, 2), true, true);
-  EXPECT_THROW(convolve(wide, random_tensor({1, 3, 2, 8}, 3)), std::invalid_argument);
+  const at::Tensor small = random_tensor({1, 3, 2, 8}, 3);
+  EXPECT_THROW(convolve(wide, small), std::invalid_argument);
+  EXPECT_THROW(convolve_by_library(wide, small), std::invalid_argument);
 }
 
 TEST(FeatureSteps, GramVectorHasTheGradientThatDifferentiatingTheProductGives) {
