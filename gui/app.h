@@ -49,8 +49,10 @@ class App {
   void load(const std::filesystem::path& path);
   /// As load(), but a photo is read while frames go on; what is wrong becomes a sentence in the window.
   void open(const std::filesystem::path& path);
-  /// As open(), and starts a run on a photo as soon as it is there.
+  /// As open(), and starts a run on a photo as soon as it is there and its material was looked for.
   void open_and_start(const std::filesystem::path& path);
+  /// Starts a run on the photo that is open, likewise.
+  void start_when_ready() { starts_when_ready_ = true; }
   /// Opens the run that was open when the program was left, at the same draw. @return whether there is one
   bool reopen();
 
@@ -101,6 +103,7 @@ class App {
   void finish_loading();
   void finish_loading_photo();
   void finish_loading_run();
+  void start_if_ready();
   void follow_crop();
   void announce_opened();
   void take_dropped_files();
@@ -138,7 +141,7 @@ class App {
   ExportWorker exporter_;
   BackgroundLoader<PhotoRequest, Photo> photo_loader_;
   BackgroundLoader<std::filesystem::path, std::unique_ptr<DrawSource>> run_loader_;
-  bool starts_when_loaded_ = false;
+  bool starts_when_ready_ = false;
   FileDialog dialog_;
   FileChoice file_choice_;
   CommandPalette palette_;

@@ -7,7 +7,7 @@
 namespace patina {
 
 void App::open(const std::filesystem::path& path) {
-  starts_when_loaded_ = false;
+  starts_when_ready_ = false;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     photo_loader_.cancel();
@@ -20,12 +20,19 @@ void App::open(const std::filesystem::path& path) {
 
 void App::open_and_start(const std::filesystem::path& path) {
   attempt([&] { open(path); });
-  starts_when_loaded_ = photo_loader_.busy();
+  starts_when_ready_ = photo_loader_.busy();
 }
 
 void App::finish_loading() {
   finish_loading_photo();
   finish_loading_run();
+  start_if_ready();
+}
+
+void App::start_if_ready() {
+  if (!starts_when_ready_ || photo_loader_.busy() || session_.finder().busy()) return;
+  starts_when_ready_ = false;
+  attempt([this] { session_.start(); });
 }
 
 void App::finish_loading_run() {
@@ -42,13 +49,12 @@ void App::finish_loading_photo() {
   const PhotoRequest& request = outcome->request;
   if (!outcome->loaded) {
     banner_.show(ErrorBanner::Kind::error, outcome->error);
-    starts_when_loaded_ = false;
+    starts_when_ready_ = false;
     // Asked for once more, it would fail again.
     if (request.crop && session_.has_photo()) session_.crop_to(session_.photo().crop);
   } else if (!request.crop) {
     session_.open_photo(std::move(*outcome->loaded), request.file);
     announce_opened();
-    if (std::exchange(starts_when_loaded_, false)) attempt([this] { session_.start(); });
   } else if (request.file == session_.photo_file()) {
     session_.recrop(std::move(*outcome->loaded));
   }

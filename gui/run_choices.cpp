@@ -29,6 +29,8 @@ void check_prior(const std::string& name, const TruncatedNormal& prior) {
 
 }  // namespace
 
+RunChoices::RunChoices() : RunChoices(RunSettings()) { chose_material_ = false; }
+
 RunChoices::RunChoices(RunSettings settings) : history_({std::move(settings), std::nullopt}) { refresh(); }
 
 void RunChoices::refresh() {
@@ -45,6 +47,15 @@ void RunChoices::change(RunSettings settings, bool new_gesture) {
 }
 
 void RunChoices::set_material(const std::string& name) {
+  suggest_material(name);
+  chose_material_ = true;
+}
+
+bool RunChoices::material_is_chosen() const {
+  return chose_material_ || !settings().fixed.empty() || !settings().priors.empty();
+}
+
+void RunChoices::suggest_material(const std::string& name) {
   material_table(name);  // throws before anything has changed
   if (name == settings().material) return;
   RunSettings changed = settings();

@@ -14,7 +14,8 @@ namespace patina {
 /// everything is as it was before.
 class RunChoices {
  public:
-  explicit RunChoices(RunSettings settings = {});
+  RunChoices();  ///< nobody has chosen anything
+  explicit RunChoices(RunSettings settings);
 
   const RunSettings& settings() const { return history_.now().settings; }
   /// The part of the photo; none: the central square.
@@ -26,8 +27,11 @@ class RunChoices {
   /// The middle of what is assumed, with what is locked where it is held.
   ParameterValues typical() const;
 
-  void set_material(const std::string& name);  ///< @throws UserError; locks and priors go
-  void set_size_cm(double size_cm);            ///< keeps the field of view
+  void set_material(const std::string& name);      ///< @throws UserError; locks and priors go
+  void suggest_material(const std::string& name);  ///< likewise, but nobody has chosen it
+  /// Whether a material was chosen, or something said of its parameters: no other one is to be suggested.
+  bool material_is_chosen() const;
+  void set_size_cm(double size_cm);  ///< keeps the field of view
   /// @throws UserError for rules that no run can reach (a sentence that says why)
   void set_stop_rules(const StopRules& rules);
   void set_errors(const std::string& model);  ///< see RunSettings::errors
@@ -76,6 +80,7 @@ class RunChoices {
   void refresh();
 
   History<State> history_;
+  bool chose_material_ = true;
   ParameterTable file_, material_, table_;
 };
 

@@ -52,11 +52,14 @@ void Session::open_photo(Photo photo, const std::filesystem::path& file) {
   photo_ = std::move(photo);
   photo_file_ = file;
   another_photo();
+  if (!choices_.material_is_chosen()) look_for_material(false);
 }
 
 void Session::recrop(Photo photo) {
+  const bool looking = finder_.busy();
   photo_ = std::move(photo);
   another_photo();
+  if (looking) look_for_material(asked_.asked_for);
 }
 
 void Session::another_photo() {
@@ -64,10 +67,10 @@ void Session::another_photo() {
   finder_.cancel();
 }
 
-void Session::find_material() {
+void Session::look_for_material(bool asked_for) {
   assert(has_photo() && photo_is_current());
   const RankSettings asked = first_cut(settings(), settings().capture);
-  asked_ = {{}, photo_version_, asked.capture};
+  asked_ = {{}, photo_version_, asked.capture, asked_for};
   finder_.start(std::make_shared<const Image>(photo_->image), asked);
 }
 
@@ -77,7 +80,8 @@ void Session::take_in_ranking() {
   asked_.ranking = std::move(*ranking);
   hint_ = asked_;
   ++hint_version_;
-  choices_.set_material(hint_->ranking.materials.front().material);
+  const bool has_begun = has_run() || choices_.can_undo();
+  if (hint_->asked_for || !has_begun) choices_.suggest_material(hint_->ranking.materials.front().material);
 }
 
 const MaterialRanking* Session::hint() const {

@@ -34,7 +34,8 @@ class Session {
   /// @throws UserError
   void open(const std::filesystem::path& path);
 
-  /// Opens a photo that was read, or a run of which the directory was, in place of all that is open.
+  /// Opens a photo that was read, or a run of which the directory was, in place of all that is open. While
+  /// nobody has chosen a material, that of a photo is looked for.
   void open_photo(Photo photo, const std::filesystem::path& file);
   void open_run(std::unique_ptr<DrawSource> run);
   /// What opens a run directory for open_run(), from any thread. @throws UserError
@@ -59,13 +60,14 @@ class Session {
   const RunChoices& choices() const { return choices_; }
   const RunSettings& settings() const { return choices_.settings(); }
 
-  /// Begins to find out which material the photo shows; there is a photo, and it is current. Once that is
-  /// known, the material is chosen, and hint() tells why.
-  void find_material();
+  /// Begins to find out which material the photo shows, because the user asked; there is a photo, and it is
+  /// current. Once that is known, the material is chosen, and hint() tells why.
+  void find_material() { look_for_material(true); }
   MaterialFinder& finder() { return finder_; }
   /// How likely all materials are for this photo at its size; null: not looked for.
   const MaterialRanking* hint() const;
   int hint_version() const { return hint_version_; }  ///< grows with every one that was found
+  bool hint_was_asked_for() const { return hint_ && hint_->asked_for; }
 
   /// Whether the run that is open does not infer what is chosen now: the choices wait for the next one.
   bool choices_wait() const;
@@ -121,6 +123,7 @@ class Session {
   void adopt(std::unique_ptr<DrawSource> source);
   void load_stars();
   void another_photo();
+  void look_for_material(bool asked_for);
   void take_in_ranking();
   void keep_hint() const;  ///< with the run that was started
 
@@ -142,6 +145,7 @@ class Session {
     MaterialRanking ranking;
     int photo_version = 0;
     Capture capture;
+    bool asked_for = false;  ///< by the user; if not, it must not get in the way
   };
   std::optional<Hint> hint_;
   int hint_version_ = 0;

@@ -42,7 +42,8 @@ void MaterialHint::draw(const PanelContext& context) {
   elided_text("A hint: " + ranking->sentence, room, theme::kMuted);
   align_right(button_width(kShow));
   const int shown = std::exchange(version_, context.session.hint_version());
-  if (ImGui::Button(kShow) || shown != version_) ImGui::OpenPopup(kResult);
+  const bool is_awaited = shown != version_ && context.session.hint_was_asked_for();
+  if (ImGui::Button(kShow) || is_awaited) ImGui::OpenPopup(kResult);
   const ImVec2 corner = ImGui::GetItemRectMax();
   ImGui::SetNextWindowPos({corner.x, corner.y + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Appearing,
                           {1, 0});

@@ -22,7 +22,7 @@ class MaterialHint {
   void draw_result(const PanelContext& context, const MaterialRanking& ranking);
 
   std::map<std::string, ImVec2> places_;
-  int version_ = 0;  ///< of the result that was shown by itself: it was waited for
+  int version_ = 0;  ///< of the last result; one that was waited for is shown by itself
 };
 
 }  // namespace patina

@@ -27,7 +27,7 @@ void explore_offscreen(const Arguments& arguments) {
   App app(*window, {}, default_runs_directory());
   if (!arguments.material.empty()) app.session().choices().set_material(arguments.material);
   app.load(arguments.input.empty() ? sample() : arguments.input);
-  if (!app.session().has_run()) app.session().start();
+  if (!app.session().has_run()) app.start_when_ready();
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(arguments.seconds));
   do {

@@ -1,5 +1,5 @@
 // How long a user waits for the first draw in the plot, from the start of the process: bench-first_draw
-// [PHOTO] [MATERIAL]
+// [PHOTO] [MATERIAL]; without a material, for what it is at a glance, too
 #include <unistd.h>
 
 #include <cstdio>
@@ -40,9 +40,9 @@ void run(const std::filesystem::path& photo, const std::string& material) {
   const TemporaryFolder folder;
   const auto window = OffscreenWindow::make(1280, 800);
   App app(*window, {}, folder.path() / "runs");
-  app.session().choices().set_material(material);
+  if (!material.empty()) app.session().choices().set_material(material);
   app.load(photo);
-  app.session().start();
+  app.start_when_ready();
   const ExplorerModel& model = app.session().model();
   wait_for(app, "window with the photo", [] { return true; });
   wait_for(app, "first render of a match", [&] { return app.preview().has_render(); });
@@ -55,5 +55,5 @@ void run(const std::filesystem::path& photo, const std::string& material) {
 
 int main(int argc, char** argv) {
   patina::run(argc > 1 ? argv[1] : patina::data_directory() / "photos" / "sample_bump.png",
-              argc > 2 ? argv[2] : "bump");
+              argc > 2 ? argv[2] : "");
 }

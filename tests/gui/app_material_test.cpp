@@ -92,11 +92,13 @@ TEST_F(AppMaterial, TheSearchForTheMaterialEndsInAListToChooseFrom) {
   ranking.sentence = "leather or plaster.";
   ranking_ = ranking;
   app_.load(photo_);
-  frames(2);
-  for (const Action& action : app_.actions())
-    if (action.name == "Material: find out which it is") action.run();
   ASSERT_TRUE(frames_until([&] { return app_.session().hint() != nullptr; }));
   EXPECT_EQ(choices().settings().material, "leather");
+  frames(4);
+  EXPECT_FALSE(app_.material().hint().place_of("plaster")) << "nobody asked for a list";
+  for (const Action& action : app_.actions())
+    if (action.name == "Material: find out which it is") action.run();
+  ASSERT_TRUE(frames_until([&] { return app_.session().hint_was_asked_for(); }));
   frames(4);
   const auto place = app_.material().hint().place_of("plaster");
   ASSERT_TRUE(place) << "the list opens by itself: it was waited for";

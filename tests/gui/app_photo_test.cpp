@@ -193,6 +193,17 @@ TEST_F(AppPhoto, APhotoOfTheCommandLineIsReadBehindTheFirstFramesThenItsRunStart
   EXPECT_FALSE(app_.session().has_run()) << "a photo that is opened by hand waits for Start";
 }
 
+TEST_F(AppPhoto, ARunThatStartsByItselfWaitsForTheMaterialThatIsSeenAtAGlance) {
+  table_ = material_table("leather");
+  RankedMaterial leather;
+  leather.material = "leather";
+  leather.match = prior_location(table_);
+  ranking_ = MaterialRanking{{leather}, "gram", "leather."};
+  app_.open_and_start(photo_);
+  ASSERT_TRUE(frames_until([&] { return app_.session().has_run(); }));
+  EXPECT_EQ(app_.session().run().settings().material, "leather");
+}
+
 TEST_F(AppPhoto, APhotoThatCannotBeReadStartsNothing) {
   app_.open_and_start(folder_.path() / "nothing.jpg");
   ASSERT_TRUE(frames_until([&] { return app_.banner().visible(); }));

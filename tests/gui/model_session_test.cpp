@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -244,6 +245,76 @@ TEST_F(SessionTest, ChoosesTheMaterialThatIsFoundAndKeepsWhyWithTheRun) {
   EXPECT_NE(session.hint(), nullptr);
   session.open(photo_);
   EXPECT_EQ(session.hint(), nullptr) << "of another photo it says nothing";
+}
+
+class SessionLooksForTheMaterial : public SessionTest {
+ protected:
+  /// With a session that finds leather in every photo.
+  std::unique_ptr<Session> session() {
+    RunFactory factory = this->factory();
+    factory.rank = [this](auto&&...) {
+      ++looks_;
+      RankedMaterial leather;
+      leather.material = "leather";
+      leather.match = prior_location(material_table("leather"));
+      return std::optional(MaterialRanking{{leather}, "gram", "leather."});
+    };
+    return std::make_unique<Session>(factory, folder_.path() / "runs", std::function<void()>());
+  }
+
+  /// Until nothing is looked for any more.
+  static void poll_until_found(Session& session) {
+    for (int i = 0; i < 1000 && session.finder().busy(); ++i) {
+      session.poll();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(session.finder().busy());
+  }
+
+  std::atomic<int> looks_ = 0;
+};
+
+TEST_F(SessionLooksForTheMaterial, OfEveryPhotoWhileNobodyHasChosenOne) {
+  const auto session = this->session();
+  for (int photo = 1; photo <= 2; ++photo) {
+    session->open(photo_);
+    poll_until_found(*session);
+    EXPECT_EQ(looks_, photo);
+    EXPECT_EQ(session->settings().material, "leather");
+    EXPECT_FALSE(session->hint_was_asked_for());
+  }
+  session->choices().set_material("bump");
+  session->open(photo_);
+  EXPECT_FALSE(session->finder().busy());
+  EXPECT_EQ(session->settings().material, "bump") << "what was chosen stays for the next photo";
+}
+
+TEST_F(SessionLooksForTheMaterial, AndLeavesAloneWhoHasBegunMeanwhile) {
+  const auto session = this->session();
+  session->open(photo_);
+  session->choices().lock("rough", 0.4);
+  poll_until_found(*session);
+  EXPECT_EQ(session->settings().material, "bump");
+  EXPECT_NE(session->hint(), nullptr) << "it says what it saw all the same";
+  session->open(photo_);
+  EXPECT_EQ(looks_, 1) << "a lock tells of a material, too";
+  session->choices().unlock("rough");
+  session->open(photo_);
+  session->start();
+  poll_until_found(*session);
+  EXPECT_EQ(looks_, 2);
+  EXPECT_EQ(session->settings().material, "bump");
+}
+
+TEST_F(SessionLooksForTheMaterial, AnewWhereAnotherPartOfThePhotoIsTakenMeanwhile) {
+  const auto session = this->session();
+  session->open(photo_);
+  session->recrop(session->photo());
+  EXPECT_TRUE(session->finder().busy());
+  poll_until_found(*session);
+  EXPECT_EQ(session->settings().material, "leather");
+  session->recrop(session->photo());
+  EXPECT_FALSE(session->finder().busy()) << "once it is known, a crop asks for nothing";
 }
 
 TEST_F(SessionTest, TakesInEveryDrawOnce) {
