@@ -45,7 +45,9 @@ void run(const std::filesystem::path& photo, const std::string& material) {
   app.start_when_ready();
   const ExplorerModel& model = app.session().model();
   wait_for(app, "window with the photo", [] { return true; });
-  wait_for(app, "first render of a match", [&] { return app.preview().has_render(); });
+  wait_for(app, "run begun", [&] { return app.session().has_run(); });
+  wait_for(app, "first render of a match",
+           [&] { return app.session().status().best && app.preview().has_render(); });
   wait_for(app, "first draw in the plot (warm-up)", [&] { return model.draws().size() > 0; });
   wait_for(app, "first draw after warm-up", [&] { return model.draws().sampling_count() > 0; });
 }
