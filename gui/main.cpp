@@ -1,18 +1,13 @@
 #include <cstdio>
 #include <exception>
 
+#include "engine/allocator.h"
 #include "engine/error.h"
 #include "gui/arguments.h"
 #include "gui/window/explorer_library.h"
 #include "gui/window/glfw_window.h"
 #include "gui/window/opening_screen.h"
 #include "gui/window/preferences.h"
-
-// Renders and networks give back large buffers all the time; jemalloc keeps them, in huge pages, so that the
-// next one costs no page faults.
-extern "C" {
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -4,16 +4,11 @@
 #include <exception>
 #include <string>
 
+#include "engine/allocator.h"
 #include "engine/cli/command.h"
 #include "engine/error.h"
 #include "engine/run/first_line.h"
 #include "engine/run/version.h"
-
-// jemalloc reads this at start: freed buffers are kept, for page faults cost more than the arithmetic on
-// them.
-extern "C" {
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

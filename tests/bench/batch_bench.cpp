@@ -14,12 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "tests/bench/timing.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

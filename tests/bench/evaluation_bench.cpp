@@ -2,15 +2,11 @@
 #include <ATen/Parallel.h>
 #include <benchmark/benchmark.h>
 
+#include "engine/allocator.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/posterior.h"
 #include "engine/sampling/rng.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -6,14 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include "engine/allocator.h"
 #include "engine/io/file.h"
 #include "engine/io/temporary_folder.h"
 #include "gui/app.h"
 #include "gui/window/offscreen_window.h"
-
-extern "C" {
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -15,17 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/material/material.h"
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
 #include "engine/material/shading.h"
 #include "engine/summary/summary.h"
 #include "tests/bench/timing.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

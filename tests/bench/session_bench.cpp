@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/io/chain_csv.h"
 #include "engine/io/file.h"
 #include "engine/io/temporary_folder.h"
@@ -20,10 +21,6 @@
 #include "gui/app.h"
 #include "gui/window/offscreen_window.h"
 #include "tests/gui/fake_source.h"
-
-extern "C" {
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -5,12 +5,8 @@
 #include <ATen/ops/rand.h>
 #include <benchmark/benchmark.h>
 
+#include "engine/allocator.h"
 #include "engine/summary/summary.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

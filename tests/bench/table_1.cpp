@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/io/temporary_folder.h"
 #include "engine/material/material.h"
 #include "engine/material/photograph.h"
@@ -31,11 +32,6 @@
 #include "engine/summary/precision.h"
 #include "tests/bench/random_vgg19.h"
 #include "tests/bench/timing.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/io/temporary_folder.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/posterior.h"
@@ -22,11 +23,6 @@
 #include "engine/summary/precision.h"
 #include "tests/bench/random_vgg19.h"
 #include "tests/bench/timing.h"
-
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

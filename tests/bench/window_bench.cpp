@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/io/image_file.h"
 #include "engine/io/temporary_folder.h"
 #include "engine/material/registry.h"
@@ -16,10 +17,6 @@
 #include "gui/app.h"
 #include "gui/window/offscreen_window.h"
 #include "tests/gui/fake_source.h"
-
-extern "C" {
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {
