@@ -63,6 +63,12 @@ PATINA_INLINE Lanes clamp(const Lanes& x, float low, float high) {
   return raised > high ? high - Lanes{} : raised;
 }
 
+/// The largest whole number not above x, of 31 bits.
+PATINA_INLINE Lanes floor(const Lanes& x) {
+  const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, Bits), Lanes);
+  return whole > x ? whole - 1 : whole;
+}
+
 PATINA_INLINE Lanes sqrt(const Lanes& x) {
   Lanes root;
   for (int k = 0; k < kLanes; ++k) root[k] = __builtin_sqrtf(x[k]);

@@ -16,12 +16,17 @@ struct RingProfile {
 /// differentiable in all its arguments. From half a ring on, where pixels can show no rings but only moire,
 /// it goes over to the mean of a ring, which it is from one ring on ("clamping"; Norton, Rockwood, Skolmoski
 /// 1982).
-/// @param rings, width  [h, w], width above 0   @return [h, w] in [0,1]
+/// @param rings, width  [h, w], width above 0
+/// @return              [h, w] in [0,1]. In float32 one pass over the pixels, and one for the gradient, which
+///                      has no further derivatives; else as latewood_ratio_by_tensors(), the reference
 at::Tensor latewood_ratio(const RingProfile& profile, const at::Tensor& rings, const at::Tensor& width);
+at::Tensor latewood_ratio_by_tensors(const RingProfile& profile, const at::Tensor& rings,
+                                     const at::Tensor& width);
 
 /// How many rings wide each pixel of a smooth field of rings is: the length of its gradient, by differences
 /// with the next row and column. The projection of a square pixel on any direction has this box's variance.
-/// @param rings  [h, w]   @return [h, w], above 0
+/// @param rings  [h, w], h and w at least 2   @return [h, w], above 0; in one pass as latewood_ratio()
 at::Tensor ring_widths(const at::Tensor& rings);
+at::Tensor ring_widths_by_tensors(const at::Tensor& rings);
 
 }  // namespace patina

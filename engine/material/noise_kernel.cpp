@@ -10,11 +10,6 @@ namespace {
 using simd::Bits;
 using simd::Lanes;
 
-PATINA_INLINE Lanes floor(const Lanes& x) {
-  const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, Bits), Lanes);
-  return whole > x ? whole - 1 : whole;
-}
-
 /// Which two neighbours of an axis a coordinate lies between, and where.
 struct Between {
   Bits first;
@@ -24,7 +19,7 @@ struct Between {
 /// @param at  in runs. One that is no number lies at 0, and stays none in its fraction.
 PATINA_INLINE Between between(const Lanes& at, int period) {
   const auto width = static_cast<float>(period);
-  const Lanes inside = at - floor(at / width) * width;
+  const Lanes inside = at - simd::floor(at / width) * width;
   const Bits cut = __builtin_convertvector(inside, Bits), raised = cut < 0 ? cut - cut : cut;
   const Bits first = raised >= period ? raised - raised + (period - 1) : raised;
   return {first, inside - __builtin_convertvector(first, Lanes)};

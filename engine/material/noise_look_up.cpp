@@ -4,6 +4,7 @@
 #include <ATen/ops/empty_like.h>
 #include <torch/csrc/autograd/custom_function.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,19 +55,13 @@ struct LookUpPlanes : torch::autograd::Function<LookUpPlanes> {
         laid_out(values, context->saved_data["levels"].toIntVector(), weights);
     const at::Tensor gradient = outputs.front().contiguous();
     const at::Tensor by_x = at::empty_like(x), by_y = at::empty_like(y), by_weights = at::empty_like(weights);
-    // A block's sums stand for themselves until all are done: the total does not depend on the threads.
-    std::vector<std::vector<double>> sums(static_cast<std::size_t>(blocks_of(x.numel())),
-                                          std::vector<double>(planes.size()));
-    over_blocks(x.numel(), [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
-      noise::look_up_backward(planes, x.data_ptr<float>(), y.data_ptr<float>(), begin, end,
-                              gradient.data_ptr<float>(), by_x.data_ptr<float>(), by_y.data_ptr<float>(),
-                              sums[static_cast<std::size_t>(block)].data());
-    });
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-      double total = 0;
-      for (const std::vector<double>& block : sums) total += block[p];
-      by_weights.data_ptr<float>()[p] = static_cast<float>(total);
-    }
+    const std::vector<double> sums = sums_over_blocks(
+        x.numel(), planes.size(), [&](std::int64_t begin, std::int64_t end, double* by_weight) {
+          noise::look_up_backward(planes, x.data_ptr<float>(), y.data_ptr<float>(), begin, end,
+                                  gradient.data_ptr<float>(), by_x.data_ptr<float>(), by_y.data_ptr<float>(),
+                                  by_weight);
+        });
+    std::ranges::copy(sums, by_weights.data_ptr<float>());
     return {by_x, by_y, by_weights, {}, {}};
   }
 };

@@ -125,7 +125,7 @@ class InputGradients {
   }
 
   /// @param sums  one for each field
-  ShadingGradient block(std::vector<double>& sums) const {
+  ShadingGradient block(double* sums) const {
     ShadingGradient gradient;
     gradient.fields.resize(laid_.problem.fields.size());
     for_each_field([&](std::size_t field, float* data, bool uniform) {
@@ -201,20 +201,14 @@ struct Photograph : torch::autograd::Function<Photograph> {
     const ConstPlanes values = const_planes_of(image), by_values = const_planes_of(image_gradient);
 
     InputGradients gradients(*context, tensors, laid);
-    const std::int64_t pixels = view.square_radius.numel(), blocks = blocks_of(pixels);
     const std::size_t fields = laid.problem.fields.size();
-    // A block's sums stand for themselves until all are done: the total does not depend on the threads.
-    std::vector<std::vector<double>> sums(static_cast<std::size_t>(blocks), std::vector<double>(fields + 2));
-    over_blocks(pixels, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
-      std::vector<double>& own = sums[static_cast<std::size_t>(block)];
-      ShadingGradient gradient = gradients.block(own);
-      shade_pixels_backward(laid.problem, begin, end, values, by_values, gradient);
-      own[fields] = gradient.light;
-      own[fields + 1] = gradient.vignette_sigma;
-    });
-    std::vector<double> total(fields + 2);
-    for (const std::vector<double>& block : sums)
-      for (std::size_t f = 0; f < total.size(); ++f) total[f] += block[f];
+    const std::vector<double> total = sums_over_blocks(
+        view.square_radius.numel(), fields + 2, [&](std::int64_t begin, std::int64_t end, double* sums) {
+          ShadingGradient gradient = gradients.block(sums);
+          shade_pixels_backward(laid.problem, begin, end, values, by_values, gradient);
+          sums[fields] = gradient.light;
+          sums[fields + 1] = gradient.vignette_sigma;
+        });
     gradients.set_uniform(total, total[fields], total[fields + 1]);
 
     variable_list result = gradients.take();

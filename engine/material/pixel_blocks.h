@@ -3,7 +3,9 @@
 #include <ATen/Parallel.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace patina {
 
@@ -18,6 +20,18 @@ void over_blocks(std::int64_t pixels, const F& f) {
     for (std::int64_t block = first; block < last; ++block)
       f(block, block * kBlock, std::min(pixels, (block + 1) * kBlock));
   });
+}
+
+/// Calls f(begin, end, sums) for each block; f adds to `count` sums of its block's. A block's stand for
+/// themselves until all are done: the totals, which are returned, do not depend on the threads.
+template <class F>
+std::vector<double> sums_over_blocks(std::int64_t pixels, std::size_t count, const F& f) {
+  std::vector<double> sums(static_cast<std::size_t>(blocks_of(pixels)) * count), totals(count);
+  over_blocks(pixels, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+    f(begin, end, sums.data() + static_cast<std::size_t>(block) * count);
+  });
+  for (std::size_t i = 0; i < sums.size(); ++i) totals[i % count] += sums[i];
+  return totals;
 }
 
 }  // namespace patina

@@ -3,8 +3,8 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
 #include <ATen/ops/hardtanh.h>
-#include <ATen/ops/lerp.h>
 #include <ATen/ops/ones.h>
+#include <ATen/ops/pow.h>
 #include <ATen/ops/rsub.h>
 #include <ATen/ops/zeros.h>
 #include <ATen/ops/zeros_like.h>
@@ -15,6 +15,7 @@
 #include "engine/material/heightfield.h"
 #include "engine/material/look_up.h"
 #include "engine/material/value_noise.h"
+#include "engine/material/wood_color.h"
 
 namespace patina {
 namespace {
@@ -68,9 +69,6 @@ at::Tensor fine_grain(const Irregularities& z, const at::TensorOptions& options,
   return kGrainHeight * look_up(z.noise(0), one, zero, zero, resolution)[0];
 }
 
-/// x^power for x > 0, whose gradient costs no second power.
-at::Tensor power(const at::Tensor& x, const at::Tensor& exponent) { return (x.log() * exponent).exp(); }
-
 }  // namespace
 
 Signature Wood::signature() {
@@ -85,7 +83,7 @@ Signature Wood::signature() {
 
 Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irregularities& z,
                       const Capture& capture, int resolution) const {
-  const at::Tensor albedo = p.run(1, 3).view({3, 1, 1}), centre = p.run(4, 3), ring_size = p[7];
+  const at::Tensor albedo = p.run(1, 3), centre = p.run(4, 3), ring_size = p[7];
   const at::Tensor lw_power = p[8], ssn_scale = p[12], ssn_power = p[13], grn_scale = p[14],
                    grn_amplitude = p[15], gdn_scale = p[16], gdn_amplitude = p[17], cut_angle = p[18];
   const at::Tensor rough = p[19], ew_rough = p[20], lw_height = p[21];
@@ -108,7 +106,7 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
                                          (width * cut.stretch_y).clamp_min(1e-6));
 
   Surface surface;
-  surface.base_color = power(at::lerp(albedo, power(albedo, lw_power), latewood), ssn_power * streaks + 1);
+  surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, ssn_power * streaks + 1);
   const at::Tensor heights = with_neighbours * lw_height + fine_grain(z, p.options(), resolution);
   surface.height = without_neighbours(heights);
   surface.normal = open_normals(heights, pixel_cm);

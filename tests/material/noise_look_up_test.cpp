@@ -1,5 +1,3 @@
-#include <ATen/TensorOperators.h>
-#include <ATen/ops/arange.h>
 #include <ATen/ops/full.h>
 #include <ATen/ops/tensor.h>
 #include <gtest/gtest.h>
@@ -8,51 +6,10 @@
 #include <vector>
 
 #include "engine/material/value_noise.h"
+#include "one_pass.h"
 
 namespace patina {
 namespace {
-
-/// A value of the noise and its gradient by every input, given a gradient by the values that differs from
-/// pixel to pixel.
-struct Looked {
-  at::Tensor value;
-  std::vector<at::Tensor> gradients;
-};
-
-template <class F>
-Looked looked(const F& look_up, const std::vector<at::Tensor>& inputs, at::ScalarType type) {
-  std::vector<at::Tensor> leaves;
-  for (const at::Tensor& input : inputs)
-    leaves.push_back(input.to(at::kFloat).to(type).detach().set_requires_grad(true));
-  const at::Tensor value = look_up(leaves);
-  value.backward(at::arange(value.numel(), value.options()).view(value.sizes()).sin());
-  Looked result{value.detach(), {}};
-  for (const at::Tensor& leaf : leaves) result.gradients.push_back(leaf.grad());
-  return result;
-}
-
-/// Of values and gradients, relative to the largest.
-double difference(const at::Tensor& a, const at::Tensor& b) {
-  const double size = 1e-6 + b.abs().max().item<double>();
-  return (a.to(at::kDouble) - b).abs().max().item<double>() / size;
-}
-
-template <class F, class G>
-void expect_same(const F& in_one_pass, const G& by_tensors, const std::vector<at::Tensor>& inputs) {
-  const Looked fused = looked(in_one_pass, inputs, at::kFloat),
-               reference = looked(by_tensors, inputs, at::kDouble);
-  EXPECT_LT(difference(fused.value, reference.value), 2e-5);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (!reference.gradients[i].defined() || reference.gradients[i].abs().max().item<double>() == 0) continue;
-    ASSERT_TRUE(fused.gradients[i].defined()) << "input " << i;
-    EXPECT_LT(difference(fused.gradients[i], reference.gradients[i]), 2e-4) << "input " << i;
-  }
-}
-
-/// Neither a multiple of the pixels that are taken at once nor within one period; no pixel on the lattice.
-at::Tensor places(double step, double begin) {
-  return at::arange(37 * 41, at::kDouble).view({37, 41}) * step + begin;
-}
 
 TEST(NoiseInOnePass, EqualsTensorOperationsWithItsGradientAtEveryMixtureOfLevels) {
   const auto fused = [](const ValueNoise& noise) {

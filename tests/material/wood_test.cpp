@@ -3,6 +3,7 @@
 #include <ATen/ops/clamp.h>
 #include <ATen/ops/full_like.h>
 #include <ATen/ops/minimum.h>
+#include <ATen/ops/zeros.h>
 #include <ATen/ops/zeros_like.h>
 #include <gtest/gtest.h>
 
@@ -79,6 +80,13 @@ TEST(RingWidths, OfAPlaneAreTheLengthOfItsGradient) {
   const at::Tensor k = at::arange(9, at::kDouble);
   const at::Tensor widths = ring_widths(k.view({-1, 1}) * 0.3 - k.view({1, -1}) * 0.4);
   EXPECT_LT((widths - 0.5).abs().max().item<double>(), 1e-5);
+}
+
+TEST(RingWidths, RepeatTheStepBeforeAtTheLastColumnAndRow) {
+  const at::Tensor k = at::arange(5, at::kDouble);
+  const at::Tensor widths = ring_widths(k.square().view({-1, 1}) + at::zeros({5, 5}, at::kDouble));
+  EXPECT_NEAR(widths[3][0].item<double>(), 7, 1e-6);
+  EXPECT_NEAR(widths[4][4].item<double>(), 7, 1e-6);
 }
 
 class ValueNoiseTest : public testing::Test {
