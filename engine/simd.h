@@ -52,6 +52,10 @@ PATINA_INLINE void store(const Lanes& lanes, float* to, int count) {
   for (int k = 0; k < count; ++k) to[k] = lanes[k];
 }
 
+PATINA_INLINE void add(const Lanes& lanes, float* to, int count) {
+  store(load(to, count) + lanes, to, count);
+}
+
 PATINA_INLINE double sum(const Lanes& lanes) {
   double total = 0;
   for (int k = 0; k < kLanes; ++k) total += static_cast<double>(lanes[k]);

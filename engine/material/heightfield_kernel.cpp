@@ -22,10 +22,6 @@ PATINA_INLINE Slopes slopes(const float* above, const float* here, float per_pix
   return s;
 }
 
-PATINA_INLINE void add(const Lanes& lanes, float* to, int count) {
-  simd::store(simd::load(to, count) + lanes, to, count);
-}
-
 }  // namespace
 
 PATINA_VECTORISED void normals_of_rows(const float* height, float per_pixel, std::ptrdiff_t n,
@@ -60,9 +56,9 @@ PATINA_VECTORISED void normals_backward(const float* height, float per_pixel, st
       const Lanes by_rise_x = -(gx + along * s.x) * scale, by_rise_y = -(gy + along * s.y) * scale;
       float* above = height_gradient + at;
       float* here = above + n + 1;
-      add(by_rise_y, above, count);
-      add(-(by_rise_x + by_rise_y), here, count);
-      add(by_rise_x, here + 1, count);
+      simd::add(by_rise_y, above, count);
+      simd::add(-(by_rise_x + by_rise_y), here, count);
+      simd::add(by_rise_x, here + 1, count);
     }
 }
 

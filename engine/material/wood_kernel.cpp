@@ -58,10 +58,6 @@ PATINA_INLINE Lanes width_of(const Lanes& step_x, const Lanes& step_y) {
   return simd::sqrt(step_x * step_x + step_y * step_y + kLeastSquare);
 }
 
-PATINA_INLINE void add(const Lanes& lanes, float* to, int count) {
-  simd::store(simd::load(to, count) + lanes, to, count);
-}
-
 /// Calls f(row, column, next row's index of the step, column of the step, count) for all pixels of rows: the
 /// last column and row have the steps of those before.
 template <class F>
@@ -146,10 +142,10 @@ PATINA_VECTORISED void ring_widths_backward(const RingField& field, const float*
             scale * (simd::load(rings + across + 1, count) - simd::load(rings + across, count));
         const Lanes by_y =
             scale * (simd::load(rings + down + field.columns, count) - simd::load(rings + down, count));
-        add(-by_x, by_rings + across, count);
-        add(by_x, by_rings + across + 1, count);
-        add(-by_y, by_rings + down, count);
-        add(by_y, by_rings + down + field.columns, count);
+        simd::add(-by_x, by_rings + across, count);
+        simd::add(by_x, by_rings + across + 1, count);
+        simd::add(-by_y, by_rings + down, count);
+        simd::add(by_y, by_rings + down + field.columns, count);
       });
 }
 
