@@ -23,7 +23,8 @@ namespace patina {
 namespace {
 
 struct Options {
-  std::string material, kernel, scenario;
+  std::string material, scenario;
+  std::vector<std::string> kernels;
   std::filesystem::path out;
   std::uint64_t seed = 1;
   int threads = hardware_threads();
@@ -46,7 +47,7 @@ std::vector<Scenario> chosen_scenarios(const Options& options) {
 
 /// Photos of a smooth material are tried as runs draw that are told nothing, too.
 std::vector<std::string> chosen_kernels(const Options& options) {
-  if (!options.kernel.empty()) return {options.kernel};
+  if (!options.kernels.empty()) return options.kernels;
   std::vector<std::string> kernels = kernel_names();
   if (options.material.empty()) return kernels;
   const ParameterTable table = material_table(options.material);
@@ -76,7 +77,7 @@ int status_of(const std::vector<Cell>& cells) {
 
 int stress(const Options& options) {
   if (options.threads < 1) throw UserError("--threads must be at least 1.");
-  if (options.kernel == kAuto && options.material.empty())
+  if (options.material.empty() && std::ranges::count(options.kernels, kAuto) > 0)
     throw UserError("The kernel auto is of runs on photos: give --material, too, or name another kernel.");
   SuiteSettings settings;
   settings.kernels = chosen_kernels(options);
@@ -107,7 +108,9 @@ void add_stress(CLI::App& app, Command& chosen) {
       ->type_name("NAME");
   std::vector<std::string> names = kernel_names();
   names.push_back(kAuto);
-  command.add_option("--kernel", options->kernel, "One kernel alone: mh, mala, hmc, nuts, auto (of photos)")
+  command
+      .add_option("--kernel", options->kernels, "These kernels alone: mh, mala, hmc, nuts, auto (of photos)")
+      ->type_name("NAME")
       ->check(CLI::IsMember(names));
   command.add_option("--scenario", options->scenario, "One scenario alone")->type_name("NAME");
   command.add_option("--seed", options->seed, "Seed of everything drawn")

@@ -9,11 +9,15 @@ namespace {
 
 class StressTest : public CliTest {};
 
-TEST_F(StressTest, TriesOneScenarioWithOneKernelAndPrintsOneDocument) {
-  const nlohmann::json document = json({"stress", "--scenario", "three draws", "--kernel", "mh", "--json"});
-  ASSERT_EQ(document["cells"].size(), 1u);
-  EXPECT_EQ(document["cells"][0]["scenario"], "three draws");
-  EXPECT_EQ(document["cells"][0]["outcome"], "alarmed");
+TEST_F(StressTest, TriesOneScenarioWithTheNamedKernelsAndPrintsOneDocument) {
+  const nlohmann::json document =
+      json({"stress", "--scenario", "three draws", "--kernel", "mh", "hmc", "--json"});
+  ASSERT_EQ(document["cells"].size(), 2u);
+  for (const nlohmann::json& cell : document["cells"]) {
+    EXPECT_EQ(cell["scenario"], "three draws");
+    EXPECT_EQ(cell["outcome"], "alarmed");
+  }
+  EXPECT_EQ(document["cells"][1]["kernel"], "hmc");
 }
 
 TEST_F(StressTest, PutsItsTableIntoAPage) {
