@@ -33,8 +33,10 @@ bool is_continuous(const PlotAxis& axis) {
 }
 
 std::string empty_text(const Session& session) {
-  const bool none = is_over(session.status().phase) && session.status().read_fraction == 1;
-  return none ? "This run ended before its first draw" : "The first draws appear here in a moment";
+  const RunPhase phase = session.status().phase;
+  if (is_over(phase) && session.status().read_fraction == 1) return "This run ended before its first draw";
+  return phase == RunPhase::searching ? "Draws appear here once a good match is found"
+                                      : "The first draws appear here in a moment";
 }
 
 /// How many independent draws there are for the worse known of two axes.
