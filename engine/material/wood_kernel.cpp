@@ -53,20 +53,18 @@ PATINA_INLINE PixelOfRings pixel_of(const Ring& ring, const Lanes& rings, const 
   return p;
 }
 
-/// How wide a pixel is, from its steps to the next column and row.
-PATINA_INLINE Lanes width_of(const Lanes& step_x, const Lanes& step_y) {
-  return simd::sqrt(step_x * step_x + step_y * step_y + kLeastSquare);
-}
-
-/// Calls f(row, column, next row's index of the step, column of the step, count) for all pixels of rows: the
-/// last column and row have the steps of those before.
+/// Calls f(pixel, across, down, count) for all pixels of rows: where the pixels lie, and where the rings that
+/// their steps to the next column and to the next row begin at. The last column and row have the steps
+/// before.
 template <class F>
 PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
+  const std::ptrdiff_t last = field.columns - 1;
   for (std::ptrdiff_t row = begin; row < end; ++row) {
-    const std::ptrdiff_t last = field.columns - 1, step_row = row < field.rows - 1 ? row : row - 1;
+    const std::ptrdiff_t here = row * field.columns;
+    const std::ptrdiff_t down = row < field.rows - 1 ? here : here - field.columns;
     for (std::ptrdiff_t column = 0; column < last; column += simd::kLanes)
-      f(row, column, step_row, column, simd::lanes_from(column, last));
-    f(row, last, step_row, last - 1, 1);
+      f(here + column, here + column, down + column, simd::lanes_from(column, last));
+    f(here + last, here + last - 1, down + last, 1);
   }
 }
 
@@ -115,38 +113,32 @@ PATINA_VECTORISED void latewood_ratio_backward(const Ring& ring, const float* ri
 
 PATINA_VECTORISED void ring_widths(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t end,
                                    float* width) {
+  const float* rings = field.rings;
   over_steps(
       field, begin, end,
-      [&](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t step_row, std::ptrdiff_t step_column,
-          int count) __attribute__((always_inline)) {
-        const float* across = field.rings + row * field.columns + step_column;
-        const float* down = field.rings + step_row * field.columns + column;
-        const Lanes step_x = simd::load(across + 1, count) - simd::load(across, count),
-                    step_y = simd::load(down + field.columns, count) - simd::load(down, count);
-        simd::store(width_of(step_x, step_y), width + row * field.columns + column, count);
-      });
+      [&](std::ptrdiff_t pixel, std::ptrdiff_t across, std::ptrdiff_t down, int count)
+          __attribute__((always_inline)) {
+            const Lanes x = simd::load(rings + across + 1, count) - simd::load(rings + across, count);
+            const Lanes y = simd::load(rings + down + field.columns, count) - simd::load(rings + down, count);
+            simd::store(simd::sqrt(x * x + y * y + kLeastSquare), width + pixel, count);
+          });
 }
 
 PATINA_VECTORISED void ring_widths_backward(const RingField& field, const float* width, const float* gradient,
                                             float* by_rings) {
+  const float* rings = field.rings;
   over_steps(
       field, 0, field.rows,
-      [&](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t step_row, std::ptrdiff_t step_column,
-          int count) __attribute__((always_inline)) {
-        const std::ptrdiff_t i = row * field.columns + column;
-        const std::ptrdiff_t across = row * field.columns + step_column,
-                             down = step_row * field.columns + column;
-        const float* rings = field.rings;
-        const Lanes scale = simd::load(gradient + i, count) / simd::load(width + i, count);
-        const Lanes by_x =
-            scale * (simd::load(rings + across + 1, count) - simd::load(rings + across, count));
-        const Lanes by_y =
-            scale * (simd::load(rings + down + field.columns, count) - simd::load(rings + down, count));
-        simd::add(-by_x, by_rings + across, count);
-        simd::add(by_x, by_rings + across + 1, count);
-        simd::add(-by_y, by_rings + down, count);
-        simd::add(by_y, by_rings + down + field.columns, count);
-      });
+      [&](std::ptrdiff_t pixel, std::ptrdiff_t across, std::ptrdiff_t down, int count)
+          __attribute__((always_inline)) {
+            const Lanes scale = simd::load(gradient + pixel, count) / simd::load(width + pixel, count);
+            const Lanes x = simd::load(rings + across + 1, count) - simd::load(rings + across, count);
+            const Lanes y = simd::load(rings + down + field.columns, count) - simd::load(rings + down, count);
+            simd::add(-scale * x, by_rings + across, count);
+            simd::add(scale * x, by_rings + across + 1, count);
+            simd::add(-scale * y, by_rings + down, count);
+            simd::add(scale * y, by_rings + down + field.columns, count);
+          });
 }
 
 PATINA_VECTORISED void wood_color(const Colour& earlywood, const Colour& latewood, const float* ratio,
