@@ -59,7 +59,8 @@ void add_render(CLI::App& app, Command& chosen) {
   command.add_option("--material", options->material, "The material's name")->type_name("NAME");
   command.add_option("--params", options->params, "Parameter values; others stay at the prior's mean")
       ->type_name("FILE.json");
-  command.add_option("--set", options->assignments, "One parameter's value, over those of --params")
+  command
+      .add_option("--set", options->assignments, "A parameter's value, over those of --params (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command

@@ -20,6 +20,7 @@
 #include "engine/material/material.h"
 #include "engine/material/photograph.h"
 #include "engine/material/registry.h"
+#include "engine/posterior/camera.h"
 #include "engine/posterior/prior_transform.h"
 #include "engine/prediction/photo_features.h"
 #include "engine/prediction/predictor.h"
@@ -34,7 +35,7 @@ namespace {
 constexpr int kSurfaces = 16;  // irregularities: their maps take a while to make
 // Far from the seeds of networks, of tests and of users.
 constexpr std::uint64_t kFirstSurface = 0x7072'6564'0000;
-constexpr double kMostNoise = 0.01;  // sd, in display units
+constexpr double kMostNoise = 0.01;  // sd, in display units, of a chooser's photos
 
 double log_uniform(double low, double high, Rng& rng) {
   return std::exp(std::log(low) + rng.uniform() * std::log(high / low));
@@ -66,15 +67,27 @@ at::Tensor changed(at::Tensor render, Rng& rng) {
   return rng.below(2) == 0 ? sharpened(render, rng) : render;
 }
 
-/// With noise, and rounded to 8 bits.
-Image recorded(const at::Tensor& planes, Rng& rng) {
+Image image_of(const at::Tensor& planes) {
   const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
   Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
   std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
+  return image;
+}
+
+/// With noise, and rounded to 8 bits.
+Image recorded(Image image, Rng& rng) {
   const double noise = kMostNoise * rng.uniform();
   for (float& pixel : image.pixels)
     pixel = std::round(255 * std::clamp(pixel + static_cast<float>(noise * rng.normal()), 0.0f, 1.0f)) / 255;
   return image;
+}
+
+/// From phones at dusk to photos that were large and are reduced, of whose noise and JPEG little is left.
+Camera draw_camera(Rng& rng) {
+  Camera camera;
+  camera.electrons = log_uniform(1000, 100'000, rng);
+  camera.jpeg_quality = 75 + rng.below(26);
+  return camera;
 }
 
 /// How renders become photos and are looked at, by those that tell parameters and those that tell materials.
@@ -124,7 +137,8 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
                                            *pool[i % kSurfaces], capture, side);
     at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
     if (varied) render = changed(reduced(render, side / view.side), rng);
-    const Image photo = recorded(render, rng);
+    const Image photo =
+        varied ? recorded(image_of(render), rng) : photographed(image_of(render), draw_camera(rng), rng);
     const Eigen::VectorXf seen = view.look(photo, capture);
     std::ranges::copy(seen, photos.features.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * seen.size());
     std::ranges::copy(coordinates, photos.coordinates.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * p);

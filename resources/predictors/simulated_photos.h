@@ -16,10 +16,11 @@ struct SimulatedPhotos {
 };
 
 /// Each photo has a sample's side of 4 to 60 cm and a camera of its own, irregularities from a pool of
-/// sixteen (of which a material's places show it ever another piece), noise, and 8 bits. One in four is
-/// rendered at twice the pixels and reduced, as a photo is.
+/// sixteen (of which a material's places show it ever another piece), and pixels that are means over their
+/// area, with a sensor's noise, 8 bits and a JPEG's losses (photographed()), little of either to much.
 /// @param varied   what a chooser sees: each changed at random as a photo differs from a render
-///                 (image_variants.h); every second one is reduced; features are of structure alone
+///                 (image_variants.h) and with even noise; pixels of every second one are points; features
+///                 are of structure alone
 /// @param seed     of everything; the pool's too, so that no two seeds share irregularities
 /// @param threads  the photos do not depend on it
 SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
