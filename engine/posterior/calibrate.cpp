@@ -79,9 +79,10 @@ int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates
 /// Of freedom, of the t that errors are taken for in the end: the dozen or two photos that say how much
 /// photos like this one err say it no better, and those of photos left out of two of bump, flake, leather and
 /// wood have tails of 8 to 20. Of 100 photos of metal, truths' log densities were among the draws' 10 %
-/// highest or lowest 36 times without, and 17 times so. The t's variance is a fifth more than the errors': with
-/// theirs (and local weights half a spread wide) 90 % intervals of 200 photos of bump held 90 to 93 % of the
-/// truths in place of 90 to 96, but those of flake, which are off more than they are narrow, 84 of flakeF0.
+/// highest or lowest 36 times without, and 17 times so. Its variance is a fifth more than the errors': with
+/// theirs (and local weights 0.5 spreads wide in place of 0.7) 90 % intervals of 200 photos of bump held 90
+/// to 93 % of the truths in place of 90 to 96, but flake's, which are shifted, 84 of flakeF0, and wood's
+/// less.
 constexpr double kDegrees = 12;
 
 Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
