@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <utility>
 
 #include "engine/io/photo.h"
@@ -18,17 +17,6 @@
 #include "engine/summary/image_tensor.h"
 
 namespace patina {
-namespace {
-
-Image to_image(const at::Tensor& planes) {
-  const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
-  Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
-  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
-  return image;
-}
-
-}  // namespace
-
 ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
                            const Capture& capture, int resolution)
     : material(std::move(material)),

@@ -19,6 +19,7 @@
 #include "engine/error.h"
 #include "engine/io/photo.h"
 #include "engine/summary/gram.h"
+#include "engine/summary/image_tensor.h"
 #include "resources/networks/gram_distance.h"
 #include "resources/networks/held_out.h"
 #include "resources/networks/recipe.h"
@@ -97,7 +98,7 @@ Group add_files(LabelledImages& images, const std::filesystem::path& path) {
   const std::size_t begin = images.images.size();
   for (const auto& file : files) {
     const std::string stem = file.stem().string();
-    images.add(to_planes(resized(load_photo(file).image, kSide)), stem.substr(0, stem.find('_')));
+    images.add(to_tensor(resized(load_photo(file).image, kSide)), stem.substr(0, stem.find('_')));
   }
   return {path.string(), begin, images.images.size()};
 }

@@ -1,7 +1,5 @@
 #include "resources/networks/recipe.h"
 
-#include <ATen/ops/from_blob.h>
-
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -10,6 +8,7 @@
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/summary/image_tensor.h"
 
 namespace patina {
 namespace {
@@ -43,16 +42,9 @@ std::vector<at::Tensor> render_all(const std::vector<Recipe>& recipes, int side)
     const Recipe& recipe = recipes[order[k]];
     if (k == 0 || surface(order[k]) != surface(order[k - 1]))
       renderer.emplace(recipe.material, recipe.z_seed, Capture{});
-    images[order[k]] = to_planes(renderer->render(values(recipe, renderer->table()), side));
+    images[order[k]] = to_tensor(renderer->render(values(recipe, renderer->table()), side));
   }
   return images;
-}
-
-at::Tensor to_planes(const Image& image) {
-  auto* pixels = const_cast<float*>(image.pixels.data());
-  return at::from_blob(pixels, {image.height, image.width, image.channels}, at::kFloat)
-      .permute({2, 0, 1})
-      .clone(at::MemoryFormat::Contiguous);
 }
 
 }  // namespace patina

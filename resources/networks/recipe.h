@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/image.h"
 #include "engine/sampling/rng.h"
 
 namespace patina {
@@ -26,8 +25,5 @@ Recipe draw_recipe(const std::string& material, std::uint64_t z_seed, Rng& rng);
 /// The renders, in the order of their recipes; each z is made only once.
 /// @return  each [3, side, side] float32, sRGB in [0,1]
 std::vector<at::Tensor> render_all(const std::vector<Recipe>& recipes, int side);
-
-/// @return  [3, height, width] float32
-at::Tensor to_planes(const Image& image);
 
 }  // namespace patina

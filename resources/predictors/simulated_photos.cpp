@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -27,6 +26,7 @@
 #include "engine/prediction/structure_features.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/rng.h"
+#include "engine/summary/image_tensor.h"
 #include "resources/networks/image_variants.h"
 
 namespace patina {
@@ -67,13 +67,6 @@ at::Tensor changed(at::Tensor render, Rng& rng) {
   return rng.below(2) == 0 ? sharpened(render, rng) : render;
 }
 
-Image image_of(const at::Tensor& planes) {
-  const at::Tensor pixels = planes.permute({1, 2, 0}).contiguous();
-  Image image(static_cast<int>(pixels.size(1)), static_cast<int>(pixels.size(0)), 3);
-  std::memcpy(image.pixels.data(), pixels.data_ptr<float>(), image.pixels.size() * sizeof(float));
-  return image;
-}
-
 /// With noise, and rounded to 8 bits.
 Image recorded(Image image, Rng& rng) {
   const double noise = kMostNoise * rng.uniform();
@@ -93,20 +86,29 @@ Camera draw_camera(Rng& rng) {
 /// How renders become photos and are looked at, by those that tell parameters and those that tell materials.
 struct View {
   int side;
-  int one_in;  ///< so many is rendered at twice the pixels and reduced
+  int one_in;  ///< so many is rendered at twice the pixels
   Eigen::Index features;
+  std::function<Image(const at::Tensor& render, Rng&)> take;
   std::function<Eigen::VectorXf(const Image&, const Capture&)> look;
 };
 
 /// A photo's pixels are means over their area: all are rendered at twice the pixels.
 View view_of_parameters() {
   const PhotoFeatures features(Predictor::kSide);
-  return {Predictor::kSide, 1, features.size(), features};
+  const auto take = [](const at::Tensor& render, Rng& rng) {
+    const Camera camera = draw_camera(rng);
+    return photographed(to_image(render), camera, rng);
+  };
+  return {Predictor::kSide, 1, features.size(), take, features};
 }
 
 View view_of_structure() {
+  constexpr int kSide = StructureFeatures::kSide;
   const StructureFeatures features;
-  return {StructureFeatures::kSide, 2, features.size(),
+  const auto take = [](const at::Tensor& render, Rng& rng) {
+    return recorded(to_image(changed(reduced(render, render.size(2) / kSide), rng)), rng);
+  };
+  return {kSide, 2, features.size(), take,
           [features](const Image& photo, const Capture&) { return features(photo); }};
 }
 
@@ -135,10 +137,8 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     const int side = view.side * (rng.below(view.one_in) == 0 ? 2 : 1);
     const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
                                            *pool[i % kSurfaces], capture, side);
-    at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
-    if (varied) render = changed(reduced(render, side / view.side), rng);
-    const Image photo =
-        varied ? recorded(image_of(render), rng) : photographed(image_of(render), draw_camera(rng), rng);
+    const at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
+    const Image photo = view.take(render, rng);
     const Eigen::VectorXf seen = view.look(photo, capture);
     std::ranges::copy(seen, photos.features.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * seen.size());
     std::ranges::copy(coordinates, photos.coordinates.data_ptr<float>() + static_cast<std::ptrdiff_t>(i) * p);

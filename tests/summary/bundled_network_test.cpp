@@ -2,7 +2,6 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/avg_pool2d.h>
-#include <ATen/ops/from_blob.h>
 #include <ATen/ops/reflection_pad2d.h>
 #include <ATen/ops/roll.h>
 
@@ -15,6 +14,7 @@
 #include "engine/image.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
+#include "engine/summary/image_tensor.h"
 #include "engine/summary/network.h"
 #include "engine/summary/summary.h"
 #include "resources/networks/distilled_vgg.h"
@@ -144,12 +144,6 @@ std::string output_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
   char line[512] = "";
   return pipe && std::fgets(line, sizeof line, pipe.get()) ? line : "";
-}
-
-at::Tensor to_tensor(const Image& image) {
-  return at::from_blob(const_cast<float*>(image.pixels.data()), {image.height, image.width, 3})
-      .permute({2, 0, 1})
-      .contiguous();
 }
 
 TEST_F(BundledNetwork, AFileCanDescribeADistilledVggWhoseDistanceIsThatOfItsPythonReference) {
