@@ -12,10 +12,11 @@
 namespace patina {
 namespace {
 
-/// Irregularities that are not rare ones themselves: a hundredth of all photos are taken for such.
+/// As large as photos are simulated, for pixels of fewer are no means. Irregularities that are not rare ones
+/// themselves: a hundredth of all photos are taken for such.
 Image photo_of_bump() {
   const Renderer renderer("bump", 3, Capture{});
-  return renderer.render(prior_location(renderer.table()), 64);
+  return renderer.render(prior_location(renderer.table()), Camera{}.least_side);
 }
 
 PosteriorSettings small_settings() {
