@@ -93,11 +93,10 @@ Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::
   constexpr int kSide = 256;  // pixels
   const Renderer renderer(settings.material, z_seed, settings.capture);
   Rng rng(seed);
-  ParameterValues values = prior_location(renderer.table());
-  for (std::size_t i = 0; i < values.continuous.size(); ++i)
-    values.continuous[i] = PriorTransform(renderer.table().continuous[i].prior).value(rng.normal());
-  for (std::size_t i = 0; i < values.discrete.size(); ++i)
-    values.discrete[i] = rng.below(static_cast<int>(renderer.table().discrete[i].levels.size()));
+  const ParameterTable& table = renderer.table();
+  ParameterValues values{values_at(table, rng.normals(std::ssize(table.continuous))), {}};
+  for (const DiscreteParameter& choice : table.discrete)
+    values.discrete.push_back(rng.below(static_cast<int>(choice.levels.size())));
   return renderer.render(values, kSide);
 }
 

@@ -3,6 +3,7 @@
 #include <unsupported/Eigen/SpecialFunctions>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -66,6 +67,14 @@ double PriorTransform::coordinate(double t) const {
   if (lower <= 0) return -kCut;
   if (upper <= 0) return kCut;
   return std::clamp(normal_quantile(lower, upper), -kCut, kCut);
+}
+
+std::vector<double> values_at(const ParameterTable& table, const Eigen::VectorXd& coordinates) {
+  assert(coordinates.size() == std::ssize(table.continuous));
+  std::vector<double> values;
+  for (const Parameter& parameter : table.continuous)
+    values.push_back(PriorTransform(parameter.prior).value(coordinates[std::ssize(values)]));
+  return values;
 }
 
 double truncated_sd(const TruncatedNormal& prior) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
+
+#include <vector>
+
 #include "engine/material/parameter.h"
 
 namespace patina {
@@ -25,6 +29,9 @@ class PriorTransform {
   double inside_;  ///< between low and high
   double above_;
 };
+
+/// Values of a table's continuous parameters, from as many coordinates.
+std::vector<double> values_at(const ParameterTable& table, const Eigen::VectorXd& coordinates);
 
 /// Standard deviation of the truncated normal itself, as the prior sd of a posterior's sd / prior sd.
 double truncated_sd(const TruncatedNormal& prior);

@@ -1,6 +1,5 @@
 #include "engine/prediction/prediction.h"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -8,14 +7,6 @@
 
 namespace patina {
 namespace {
-
-std::vector<double> values_at(const ParameterTable& table, const Eigen::VectorXd& coordinates) {
-  assert(coordinates.size() == std::ssize(table.continuous));
-  std::vector<double> values;
-  for (const Parameter& parameter : table.continuous)
-    values.push_back(PriorTransform(parameter.prior).value(coordinates[std::ssize(values)]));
-  return values;
-}
 
 int drawn_level(const Eigen::VectorXd& probabilities, Rng& rng) {
   double left = rng.uniform();

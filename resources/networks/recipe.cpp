@@ -11,17 +11,6 @@
 #include "engine/summary/image_tensor.h"
 
 namespace patina {
-namespace {
-
-ParameterValues values(const Recipe& recipe, const ParameterTable& table) {
-  ParameterValues values{{}, recipe.levels};
-  for (std::size_t i = 0; i < table.continuous.size(); ++i)
-    values.continuous.push_back(
-        PriorTransform(table.continuous[i].prior).value(recipe.coordinates[static_cast<Eigen::Index>(i)]));
-  return values;
-}
-
-}  // namespace
 
 Recipe draw_recipe(const std::string& material, std::uint64_t z_seed, Rng& rng) {
   const ParameterTable table = material_table(material);
@@ -42,7 +31,8 @@ std::vector<at::Tensor> render_all(const std::vector<Recipe>& recipes, int side)
     const Recipe& recipe = recipes[order[k]];
     if (k == 0 || surface(order[k]) != surface(order[k - 1]))
       renderer.emplace(recipe.material, recipe.z_seed, Capture{});
-    images[order[k]] = to_tensor(renderer->render(values(recipe, renderer->table()), side));
+    images[order[k]] =
+        to_tensor(renderer->render({values_at(renderer->table(), recipe.coordinates), recipe.levels}, side));
   }
   return images;
 }

@@ -48,15 +48,6 @@ Capture draw_capture(Rng& rng) {
   return {size, size * (rng.below(2) == 0 ? usual.camera_cm / usual.size_cm : other)};
 }
 
-ParameterValues values_of(const ParameterTable& table, const Eigen::VectorXd& coordinates,
-                          std::vector<int> levels) {
-  ParameterValues values{{}, std::move(levels)};
-  for (std::size_t i = 0; i < table.continuous.size(); ++i)
-    values.continuous.push_back(
-        PriorTransform(table.continuous[i].prior).value(coordinates[static_cast<Eigen::Index>(i)]));
-  return values;
-}
-
 at::Tensor reduced(const at::Tensor& image, std::int64_t times) {
   return times == 1 ? image : at::avg_pool2d(image.unsqueeze(0), {times, times}, {times, times}).squeeze(0);
 }
@@ -133,10 +124,10 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
     std::vector<int> levels;
     for (const DiscreteParameter& choice : table.discrete)
       levels.push_back(rng.below(static_cast<int>(choice.levels.size())));
-    const ParameterValues values = values_of(table, coordinates.cast<double>(), levels);
+    const std::vector<double> values = values_at(table, coordinates.cast<double>());
     const int side = view.side * (rng.below(view.one_in) == 0 ? 2 : 1);
-    const Surface surface = model->surface(at::tensor(values.continuous, at::kFloat), values.discrete,
-                                           *pool[i % kSurfaces], capture, side);
+    const Surface surface =
+        model->surface(at::tensor(values, at::kFloat), levels, *pool[i % kSurfaces], capture, side);
     const at::Tensor render = photograph(surface, capture, side, DisplayCurve::srgb);
     const Image photo = view.take(render, rng);
     const Eigen::VectorXf seen = view.look(photo, capture);
