@@ -7,8 +7,8 @@ class Freeze : public CliTest {};
 
 TEST_F(Freeze, ANewRunHoldsWhatTheOldOnesPhotoDoesNotPinDown) {
   const std::string photo = this->photo();
-  // Mean colours say nothing of how fine bumps are. Where roughness is free, one short run of fifty stays most
-  // of its time at its floor, and says too little.
+  // Mean colours say nothing of how fine bumps are. Where roughness is free, a short run now and then stays
+  // most of its time at its floor, and says too little.
   std::vector<std::string> first = small_fit(photo, "first");
   for (std::string& argument : first)
     if (argument == "30") argument = "1000";

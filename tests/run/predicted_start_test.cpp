@@ -6,6 +6,7 @@
 
 #include "engine/material/renderer.h"
 #include "engine/posterior/calibrate.h"
+#include "engine/posterior/camera.h"
 #include "engine/posterior/prior_transform.h"
 #include "engine/run/calibrated_errors.h"
 
