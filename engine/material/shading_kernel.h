@@ -21,7 +21,8 @@ struct FieldGradient {
   double* sum = nullptr;
 };
 
-/// Where a lobe's numbers lie among the fields: the first of three of normal and f0.
+/// Where a lobe's numbers lie among the fields: the first of three of normal and f0. They are its own, but
+/// for a normal that may be the surface's.
 struct LobeFields {
   std::size_t normal, f0, roughness_x, roughness_y;
   bool isotropic() const { return roughness_x == roughness_y; }

@@ -4,167 +4,35 @@
 #include <cstring>
 #include <vector>
 
-#include "engine/simd.h"
+#define PATINA_KERNEL "engine/summary/feature_kernel.simd.h"
+#include "engine/simd/each_target.h"
 
 namespace patina::features {
-namespace {
-
-/// Where position i of a line of n, continued by reflection, comes from.
-std::ptrdiff_t source(std::ptrdiff_t i, std::ptrdiff_t n) {
-  const std::ptrdiff_t low = i < 0 ? -i : i;
-  return low < n ? low : 2 * (n - 1) - low;
-}
-
-PATINA_INLINE void add(const float* from, std::ptrdiff_t count, float* to) {
-  for (std::ptrdiff_t i = 0; i < count; ++i) to[i] += from[i];
-}
-
-constexpr int kRows = 8;                // of a product, in registers together
-constexpr std::ptrdiff_t kBlock = 512;  // pixels that are added up in float32
-
-PATINA_INLINE int lanes_from(std::ptrdiff_t channel, std::ptrdiff_t channels) {
-  return static_cast<int>(std::min<std::ptrdiff_t>(channels - channel, simd::kLanes));
-}
-
-/// Sixteen numbers from a place in a map, or as many as are left of it. Those that belong to the next pixel
-/// do no harm to who ignores them, and reading them is faster than stopping before.
-PATINA_INLINE simd::Lanes load_along(const float* from, const float* end) {
-  const std::ptrdiff_t left = end - from;
-  return left >= simd::kLanes ? simd::load(from, simd::kLanes)
-                              : simd::load_or_zero(from, static_cast<int>(left));
-}
-
-/// Products of `rows` channels from i on with sixteen from j on, added up over pixels.
-template <int rows>
-PATINA_INLINE void add_products(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels,
-                                std::ptrdiff_t i, std::ptrdiff_t j, const float* end, double* to) {
-  simd::Lanes sums[rows] = {};
-  for (const float* pixel = x; pixel < x + pixels * channels; pixel += channels) {
-    const simd::Lanes right = load_along(pixel + j, end);
-    for (int r = 0; r < rows; ++r) sums[r] += pixel[i + r] * right;
-  }
-  const int count = lanes_from(j, channels);
-  for (int r = 0; r < rows; ++r)
-    for (int k = 0; k < count; ++k) to[(i + r) * channels + j + k] += static_cast<double>(sums[r][k]);
-}
-
-}  // namespace
-
-PATINA_VECTORISED void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* to) {
-  std::vector<double> sums(static_cast<std::size_t>(channels * channels));
-  const float* end = x + pixels * channels;
-  for (std::ptrdiff_t begin = 0; begin < pixels; begin += kBlock)
-    for (std::ptrdiff_t j = 0; j < channels; j += simd::kLanes) {
-      const float* from = x + begin * channels;
-      const std::ptrdiff_t some = std::min(pixels - begin, kBlock),
-                           last = std::min(channels, j + simd::kLanes);
-      std::ptrdiff_t i = 0;  // the upper triangle, and what else is in its squares
-      for (; i + kRows <= last; i += kRows) add_products<kRows>(from, some, channels, i, j, end, sums.data());
-      for (; i < last; ++i) add_products<1>(from, some, channels, i, j, end, sums.data());
-    }
-  for (std::ptrdiff_t i = 0; i < channels; ++i)
-    for (std::ptrdiff_t j = i; j < channels; ++j)
-      to[i * channels + j] = to[j * channels + i] =
-          static_cast<float>(sums[static_cast<std::size_t>(i * channels + j)] / static_cast<double>(pixels));
-}
-
-PATINA_VECTORISED void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels,
-                             const float* matrix, float* to) {
-  const std::ptrdiff_t tiles = (channels + simd::kLanes - 1) / simd::kLanes, width = tiles * simd::kLanes;
-  std::vector<float> padded(static_cast<std::size_t>(channels * width));
-  for (std::ptrdiff_t i = 0; i < channels; ++i)
-    std::copy_n(matrix + i * channels, channels, padded.data() + i * width);
-  std::ptrdiff_t pixel = 0;
-  for (; pixel + kRows < pixels; pixel += kRows)
-    // From the last tile back to the first: what it writes beyond a pixel's channels is overwritten.
-    for (std::ptrdiff_t j = width - simd::kLanes; j >= 0; j -= simd::kLanes) {
-      const float* from = x + pixel * channels;
-      simd::Lanes sums[kRows] = {};
-      for (std::ptrdiff_t i = 0; i < channels; ++i) {
-        const simd::Lanes row = simd::load(padded.data() + i * width + j, simd::kLanes);
-        for (int r = 0; r < kRows; ++r) sums[r] += from[r * channels + i] * row;
-      }
-      for (int r = 0; r < kRows; ++r) {
-        float* place = to + (pixel + r) * channels + j;
-        const std::ptrdiff_t left = to + pixels * channels - place;
-        simd::store(sums[r], place, static_cast<int>(std::min<std::ptrdiff_t>(left, simd::kLanes)));
-      }
-    }
-  for (; pixel < pixels; ++pixel)
-    for (std::ptrdiff_t j = 0; j < channels; ++j) {
-      float sum = 0;
-      for (std::ptrdiff_t i = 0; i < channels; ++i) sum += x[pixel * channels + i] * matrix[i * channels + j];
-      to[pixel * channels + j] = sum;
-    }
-}
 
 void reflect(const float* x, Shape shape, std::ptrdiff_t border, float* to) {
-  const std::ptrdiff_t c = shape.channels, pixel = c * static_cast<std::ptrdiff_t>(sizeof(float));
-  const std::ptrdiff_t columns = shape.columns + 2 * border;
-  for (std::ptrdiff_t row = -border; row < shape.rows + border; ++row) {
-    const float* from = x + source(row, shape.rows) * shape.columns * c;
-    float* line = to + (row + border) * columns * c;
-    std::memcpy(line + border * c, from, static_cast<std::size_t>(shape.columns * pixel));
-    for (std::ptrdiff_t k = 1; k <= border; ++k) {
-      std::memcpy(line + (border - k) * c, from + source(-k, shape.columns) * c,
-                  static_cast<std::size_t>(pixel));
-      const std::ptrdiff_t beyond = shape.columns - 1 + k;
-      std::memcpy(line + (border + beyond) * c, from + source(beyond, shape.columns) * c,
-                  static_cast<std::size_t>(pixel));
-    }
-  }
+  PATINA_ON_TARGET(reflect(x, shape, border, to));
 }
 
-PATINA_VECTORISED void reflect_backward(const float* gradient, Shape shape, std::ptrdiff_t border,
-                                        float* to) {
-  const std::ptrdiff_t c = shape.channels, columns = shape.columns + 2 * border;
-  for (std::ptrdiff_t row = 0; row < shape.rows; ++row)
-    std::memcpy(to + row * shape.columns * c, gradient + ((row + border) * columns + border) * c,
-                static_cast<std::size_t>(shape.columns * c) * sizeof(float));
-  for (std::ptrdiff_t row = -border; row < shape.rows + border; ++row) {
-    const bool copied_row = row >= 0 && row < shape.rows;
-    const float* line = gradient + (row + border) * columns * c;
-    float* target = to + source(row, shape.rows) * shape.columns * c;
-    if (!copied_row) add(line + border * c, shape.columns * c, target);
-    for (std::ptrdiff_t k = 1; k <= border; ++k) {
-      const std::ptrdiff_t beyond = shape.columns - 1 + k;
-      add(line + (border - k) * c, c, target + source(-k, shape.columns) * c);
-      add(line + (border + beyond) * c, c, target + source(beyond, shape.columns) * c);
-    }
-  }
+void reflect_backward(const float* gradient, Shape shape, std::ptrdiff_t border, float* to) {
+  PATINA_ON_TARGET(reflect_backward(gradient, shape, border, to));
 }
 
-PATINA_VECTORISED void halve(const float* x, Shape shape, float* to) {
-  const std::ptrdiff_t c = shape.channels, stride = shape.columns * c;
-  for (std::ptrdiff_t row = 0; row < shape.rows / 2; ++row)
-    for (std::ptrdiff_t column = 0; column < shape.columns / 2; ++column, to += c) {
-      const float* block = x + 2 * row * stride + 2 * column * c;
-      for (std::ptrdiff_t k = 0; k < c; ++k)
-        to[k] = 0.25f * (block[k] + block[c + k] + block[stride + k] + block[stride + c + k]);
-    }
+void halve(const float* x, Shape shape, float* to) { PATINA_ON_TARGET(halve(x, shape, to)); }
+
+void halve_backward(const float* gradient, Shape shape, float* to) {
+  PATINA_ON_TARGET(halve_backward(gradient, shape, to));
 }
 
-PATINA_VECTORISED void halve_backward(const float* gradient, Shape shape, float* to) {
-  const std::ptrdiff_t c = shape.channels, stride = shape.columns * c;
-  const std::ptrdiff_t columns = shape.columns / 2;
-  for (std::ptrdiff_t row = 0; row < shape.rows; ++row) {
-    float* line = to + row * stride;
-    if (row / 2 >= shape.rows / 2) {
-      std::memset(line, 0, static_cast<std::size_t>(stride) * sizeof(float));
-      continue;
-    }
-    const float* from = gradient + row / 2 * columns * c;
-    for (std::ptrdiff_t column = 0; column < columns; ++column)
-      for (std::ptrdiff_t k = 0; k < c; ++k)
-        line[2 * column * c + k] = line[(2 * column + 1) * c + k] = 0.25f * from[column * c + k];
-    if (shape.columns % 2 == 1)
-      std::memset(line + 2 * columns * c, 0, static_cast<std::size_t>(c) * sizeof(float));
-  }
+void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size, float* to) {
+  PATINA_ON_TARGET(rectify_backward(gradient, y, size, to));
 }
 
-PATINA_VECTORISED void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size,
-                                        float* to) {
-  for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = y[i] > 0 ? gradient[i] : 0;
+void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* to) {
+  PATINA_ON_TARGET(gram(x, pixels, channels, to));
+}
+
+void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix, float* to) {
+  PATINA_ON_TARGET(times(x, pixels, channels, matrix, to));
 }
 
 }  // namespace patina::features

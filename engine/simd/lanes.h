@@ -1,18 +1,10 @@
-#pragma once
+// Vectors as wide as PATINA_TARGET's, and functions of them; read once for each target by each_target.h,
+// hence without a guard.
+namespace patina::simd::PATINA_TARGET {
 
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-
-/// Builds a function for the widest vectors of several processors; the loader picks at run time.
-#define PATINA_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
-/// What such a function calls must become part of it, or it would be built for the oldest processor.
-#define PATINA_INLINE [[gnu::always_inline]] inline
-
-namespace patina::simd {
-
-constexpr int kLanes = 16;
-/// Sixteen pixels at once; operators work entry by entry, comparisons give masks for ?:.
+constexpr int kLanes = PATINA_LANES;
+/// As many pixels at once as the processor takes; operators work entry by entry, comparisons give masks for
+/// ?:. A wider vector than the processor has would be taken apart, its comparisons into single numbers.
 typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
 typedef std::int32_t Bits __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
@@ -27,7 +19,7 @@ PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
   return lanes;
 }
 
-/// The first `count` of sixteen numbers, the last of them repeated to fill up.
+/// The first `count` of kLanes numbers, the last of them repeated to fill up.
 PATINA_INLINE Lanes load(const float* from, int count) {
   Lanes lanes;
   if (count == kLanes) {
@@ -124,4 +116,4 @@ PATINA_INLINE Lanes log(const Lanes& x) {
   return r + p + e * 0.693359375f;
 }
 
-}  // namespace patina::simd
+}  // namespace patina::simd::PATINA_TARGET
