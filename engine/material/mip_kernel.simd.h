@@ -7,104 +7,127 @@ using simd::Bits;
 using simd::Lanes;
 
 /// Texels a half period spans.
-PATINA_INLINE float texels(const Level& level) { return 0.5f * static_cast<float>(level.side - 2); }
+float texels(const Level& level) { return 0.5f * static_cast<float>(level.side - 2); }
 
-/// The texel before a place, and how far it is from there to the next.
-struct Between {
-  Bits first;
-  Lanes fraction;
+/// Where all columns lie in a level: the texel before each, and how far it is from there to the next. The
+/// last is repeated until vectors are full.
+struct Columns {
+  std::vector<std::int32_t> first;
+  std::vector<float> fraction;
 };
 
 /// A place that is no number lies at the border, and stays none in its fraction.
-PATINA_INLINE Between between(const Level& level, const Lanes& place) {
-  const Lanes at = place * texels(level) + 0.5f;
-  const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
+Columns columns_in(const Level& level, const std::vector<float>& places) {
+  const auto count = static_cast<std::ptrdiff_t>(places.size());
+  const auto whole = static_cast<std::size_t>((count + simd::kLanes - 1) / simd::kLanes * simd::kLanes);
+  Columns columns{std::vector<std::int32_t>(whole), std::vector<float>(whole)};
   const int last = level.side - 2;
-  const Bits first = raised > last ? raised - raised + last : raised;
-  return {first, at - __builtin_convertvector(first, Lanes)};
+  for (std::ptrdiff_t i = 0; i < count; i += simd::kLanes) {
+    const Lanes at = simd::load(places.data() + i, simd::lanes_from(i, count)) * texels(level) + 0.5f;
+    const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
+    const Bits first = raised > last ? raised - raised + last : raised;
+    std::memcpy(columns.first.data() + i, &first, sizeof first);
+    simd::store(at - __builtin_convertvector(first, Lanes), columns.fraction.data() + i, simd::kLanes);
+  }
+  return columns;
 }
 
-/// A row of the grid in a level: the texels of the row before it, and how far it is from there to the next.
-struct Row {
-  const float* before;
-  float fraction;
+/// A row of the grid lies between two rows of texels: what is there at each texel's column, and how that
+/// changes from the one to the other.
+struct Line {
+  std::vector<float> values, slopes;  ///< [side]
+
+  void set(const Level& level, float place, int channel) {
+    const float at = place * texels(level) + 0.5f;
+    const int first = at > 0 ? std::min(static_cast<int>(at), level.side - 2) : 0;
+    const float fraction = at - static_cast<float>(first);
+    const float* before =
+        level.values + (static_cast<std::ptrdiff_t>(channel) * level.side + first) * level.side;
+    values.resize(static_cast<std::size_t>(level.side));
+    slopes.resize(static_cast<std::size_t>(level.side));
+    for (std::ptrdiff_t i = 0; i < level.side; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, level.side);
+      const Lanes near = simd::load(before + i, count),
+                  slope = simd::load(before + level.side + i, count) - near;
+      simd::store(near + slope * fraction, values.data() + i, count);
+      simd::store(slope, slopes.data() + i, count);
+    }
+  }
 };
 
-PATINA_INLINE Row row_at(const Level& level, float place, int channel) {
-  const float at = place * texels(level) + 0.5f;
-  const int first = at > 0 ? std::min(static_cast<int>(at), level.side - 2) : 0;
-  return {level.values + (static_cast<std::ptrdiff_t>(channel) * level.side + first) * level.side,
-          at - static_cast<float>(first)};
-}
-
+/// Interpolated along a line, and the slope of it, per texel.
 struct Sample {
-  Lanes value, by_column, by_row;  ///< per texel
+  Lanes value, slope;
 };
 
-PATINA_INLINE Sample sample(const Level& level, const Row& row, const Between& column) {
-  const float *near = row.before, *far = near + level.side;
-  const Lanes a = simd::gather(near, column.first), b = simd::gather(near + 1, column.first),
-              c = simd::gather(far, column.first), d = simd::gather(far + 1, column.first);
-  const Lanes near_slope = b - a, far_slope = d - c;
-  const Lanes near_value = a + near_slope * column.fraction, far_value = c + far_slope * column.fraction;
-  return {near_value + (far_value - near_value) * row.fraction,
-          near_slope + (far_slope - near_slope) * row.fraction, far_value - near_value};
+PATINA_INLINE Sample sample(const std::vector<float>& line, const Columns& columns, std::ptrdiff_t i) {
+  const std::int32_t* first = columns.first.data() + i;
+  const Lanes left = simd::gather(line.data(), first), slope = simd::gather(line.data() + 1, first) - left;
+  return {left + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
 }
 
-PATINA_INLINE int channels_of(const Problem& problem) {
-  assert(problem.levels.size() <= kMostLevels && problem.channels <= kMostChannels);
-  return std::min(problem.channels, kMostChannels);
-}
+/// The columns in each level, and room for a row's lines: of each channel in each level.
+struct Grid {
+  std::vector<Columns> columns;
+  std::vector<std::vector<Line>> lines;
+
+  explicit Grid(const Problem& problem) {
+    assert(problem.levels.size() <= kMostLevels && problem.channels <= kMostChannels);
+    for (const Level& level : problem.levels) columns.push_back(columns_in(level, problem.x));
+    lines.assign(problem.levels.size(), std::vector<Line>(static_cast<std::size_t>(problem.channels)));
+  }
+
+  void set_row(const Problem& problem, std::ptrdiff_t row) {
+    for (std::size_t l = 0; l < problem.levels.size(); ++l)
+      for (std::size_t c = 0; c < lines[l].size(); ++c)
+        lines[l][c].set(problem.levels[l], problem.y[static_cast<std::size_t>(row)], static_cast<int>(c));
+  }
+};
 
 }  // namespace
 
 void look_up(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
-  const int channels = channels_of(problem);
   const std::ptrdiff_t columns = problem.columns(), plane = columns * problem.rows();
-  for (std::ptrdiff_t r = begin; r < end; ++r)
-    for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, columns);
-      const Lanes x = simd::load(problem.x.data() + i, count);
-      std::array<Lanes, kMostChannels> sums{};
-      for (const Level& level : problem.levels) {
-        const Between column = between(level, x);
-        for (int c = 0; c < channels; ++c)
-          sums[static_cast<std::size_t>(c)] +=
-              level.weight *
-              sample(level, row_at(level, problem.y[static_cast<std::size_t>(r)], c), column).value;
+  Grid grid(problem);
+  for (std::ptrdiff_t r = begin; r < end; ++r) {
+    grid.set_row(problem, r);
+    for (int c = 0; c < problem.channels; ++c)
+      for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
+        Lanes sum{};
+        for (std::size_t l = 0; l < problem.levels.size(); ++l)
+          sum += problem.levels[l].weight *
+                 sample(grid.lines[l][static_cast<std::size_t>(c)].values, grid.columns[l], i).value;
+        simd::store(sum, to + c * plane + r * columns + i, simd::lanes_from(i, columns));
       }
-      for (int c = 0; c < channels; ++c)
-        simd::store(sums[static_cast<std::size_t>(c)], to + c * plane + r * columns + i, count);
-    }
+  }
 }
 
 void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, const float* by_value,
                       Gradient& gradient) {
-  const int channels = channels_of(problem);
   const std::ptrdiff_t columns = problem.columns(), plane = columns * problem.rows();
+  Grid grid(problem);
   std::array<Lanes, kMostLevels> by_weight{};
   for (std::ptrdiff_t r = begin; r < end; ++r) {
+    grid.set_row(problem, r);
     Lanes by_y{};
     for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
       const int count = simd::lanes_from(i, columns);
-      const Lanes x = simd::load(problem.x.data() + i, count);
       Lanes by_x{};
       for (std::size_t l = 0; l < problem.levels.size(); ++l) {
         const Level& level = problem.levels[l];
-        const Between column = between(level, x);
         Lanes along_x{}, along_y{};
-        for (int c = 0; c < channels; ++c) {
-          const Sample s = sample(level, row_at(level, problem.y[static_cast<std::size_t>(r)], c), column);
+        for (int c = 0; c < problem.channels; ++c) {
+          const Line& line = grid.lines[l][static_cast<std::size_t>(c)];
           const Lanes by = simd::load_or_zero(by_value + c * plane + r * columns + i, count);
-          by_weight[l] += by * s.value;
-          along_x += by * s.by_column;
-          along_y += by * s.by_row;
+          const Sample seen = sample(line.values, grid.columns[l], i);
+          by_weight[l] += by * seen.value;
+          along_x += by * seen.slope;
+          along_y += by * sample(line.slopes, grid.columns[l], i).value;
         }
         by_x += along_x * (level.weight * texels(level));
         by_y += along_y * (level.weight * texels(level));
       }
-      float* sum = gradient.x.data() + i;
-      simd::store(simd::load(sum, count) + by_x, sum, count);
+      simd::add(by_x, gradient.x.data() + i, count);
     }
     gradient.y[r] = static_cast<float>(simd::sum(by_y));
   }

@@ -1,8 +1,6 @@
 #include "engine/posterior/forward_model.h"
 
 #include <ATen/core/grad_mode.h>
-#include <ATen/ops/clamp.h>
-#include <ATen/ops/matmul.h>
 #include <ATen/ops/stack.h>
 #include <ATen/ops/tensor.h>
 
@@ -12,7 +10,6 @@
 
 #include "engine/io/photo.h"
 #include "engine/material/photograph.h"
-#include "engine/posterior/resampling.h"
 #include "engine/summary/feature_steps.h"
 #include "engine/summary/image_tensor.h"
 
@@ -23,9 +20,7 @@ ForwardModel::ForwardModel(std::shared_ptr<const Material> material, std::shared
       summary(std::move(summary)),
       capture(capture),
       resolution(resolution),
-      resampling(std::make_shared<const WeightCache>([resolution](std::int64_t side) {
-        return resampling_matrix(static_cast<int>(side), resolution);
-      })) {}
+      resampling(std::make_shared<const Resampling>(resolution)) {}
 
 at::Tensor ForwardModel::summary_of_render(const ParameterTensors& parameters,
                                            const std::vector<int>& discrete, const Irregularities& z) const {
@@ -50,12 +45,7 @@ Image ForwardModel::photo(const ParameterValues& values, const Irregularities& z
 at::Tensor ForwardModel::summaries_of_photos(std::span<const Image> photos) const {
   const at::NoGradGuard no_grad;
   std::vector<at::Tensor> images;
-  for (const Image& photo : photos) {
-    images.push_back(to_tensor(photo));
-    if (photo.width == resolution) continue;
-    const at::Tensor smaller = resampling->of_side(photo.width);
-    images.back() = at::matmul(at::matmul(smaller, images.back()), smaller.transpose(0, 1)).clamp(0, 1);
-  }
+  for (const Image& photo : photos) images.push_back((*resampling)(to_tensor(photo)));
   return summary->of(at::stack(images));
 }
 

@@ -8,8 +8,8 @@
 
 #include "engine/material/material.h"
 #include "engine/posterior/camera.h"
+#include "engine/posterior/resampling.h"
 #include "engine/summary/summary.h"
-#include "engine/summary/weight_cache.h"
 
 namespace patina {
 
@@ -18,8 +18,8 @@ struct ForwardModel {
   std::shared_ptr<const Material> material;
   std::shared_ptr<const Summary> summary;
   Capture capture;
-  int resolution = 0;                             ///< pixels a side that are compared
-  std::shared_ptr<const WeightCache> resampling;  ///< by the side of a photo, see resampling_matrix()
+  int resolution = 0;                            ///< pixels a side that are compared
+  std::shared_ptr<const Resampling> resampling;  ///< to the resolution
 
   ForwardModel(std::shared_ptr<const Material> material, std::shared_ptr<const Summary> summary,
                const Capture& capture, int resolution);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/io/photo.h"
+#include "engine/posterior/resampling.h"
 #include "engine/prediction/gram_features.h"
 #include "engine/summary/image_tensor.h"
 #include "engine/summary/summary.h"
@@ -19,7 +20,10 @@ Eigen::Index features_of(const SummaryBlock& block) {
 
 }  // namespace
 
-PhotoFeatures::PhotoFeatures(int side) : side_(side), summary_(make_summary("gram+rings+bands", {})) {}
+PhotoFeatures::PhotoFeatures(int side)
+    : side_(side),
+      resampling_(std::make_shared<const Resampling>(side)),
+      summary_(make_summary("gram+rings+bands", {})) {}
 
 Eigen::Index PhotoFeatures::size() const {
   Eigen::Index size = 2;  // of the capture
@@ -29,7 +33,11 @@ Eigen::Index PhotoFeatures::size() const {
 
 Eigen::VectorXf PhotoFeatures::operator()(const Image& photo, const Capture& capture) const {
   const at::NoGradGuard no_grad;
-  const at::Tensor summary = (*summary_)(to_tensor(resized(photo, side_))).contiguous();
+  // Simulated photos are small, and many of a size; a photograph comes once.
+  constexpr int kSmall = 512;
+  const at::Tensor image =
+      photo.width <= kSmall ? (*resampling_)(to_tensor(photo)) : to_tensor(resized(photo, side_));
+  const at::Tensor summary = (*summary_)(image.contiguous()).contiguous();
   const float* entry = summary.data_ptr<float>();
   std::vector<float> features;
   for (const SummaryBlock& block : summary_->blocks()) {

@@ -9,6 +9,7 @@
 
 namespace patina {
 
+class Resampling;
 class Summary;
 
 /// What a predictor sees of a photo: numbers that hardly change with where bumps, cells and flakes lie.
@@ -29,6 +30,7 @@ class PhotoFeatures {
 
  private:
   int side_;
+  std::shared_ptr<const Resampling> resampling_;
   std::shared_ptr<const Summary> summary_;
 };
 

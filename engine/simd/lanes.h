@@ -19,6 +19,13 @@ PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
   return lanes;
 }
 
+/// @param index  kLanes of them
+PATINA_INLINE Lanes gather(const float* from, const std::int32_t* index) {
+  Lanes lanes;
+  for (int k = 0; k < kLanes; ++k) lanes[k] = from[index[k]];
+  return lanes;
+}
+
 /// The first `count` of kLanes numbers, the last of them repeated to fill up.
 PATINA_INLINE Lanes load(const float* from, int count) {
   Lanes lanes;

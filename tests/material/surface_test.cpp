@@ -14,6 +14,7 @@
 #include "engine/material/heightfield.h"
 #include "engine/material/shading.h"
 #include "materials_fixture.h"
+#include "one_pass.h"
 
 namespace patina {
 namespace {
@@ -59,6 +60,15 @@ TEST(GaussianHeightfield, IsTheSumOverFrequenciesThatItsDocumentationWrites) {
         }
       EXPECT_NEAR(height[row][column].item<double>(), sum / (size * size), 1e-12);
     }
+}
+
+TEST(GaussianHeightfield, InOnePassOverFrequenciesEqualsTensorOperationsWithItsGradient) {
+  for (const int n : {32, 45}) {
+    const auto height = [n](const std::vector<at::Tensor>& i) {
+      return gaussian_heightfield(shared_irregularities(), i[0], i[1], i[2], 3, n);
+    };
+    expect_same(height, height, {scalar(0.2), scalar(1.7), scalar(2.4)});
+  }
 }
 
 TEST(GaussianHeightfield, HasTheVarianceOfItsSpectrum) {
