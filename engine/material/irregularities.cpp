@@ -1,6 +1,8 @@
 #include "engine/material/irregularities.h"
 
 #include <ATen/ops/empty.h>
+#include <ATen/ops/ones.h>
+#include <ATen/ops/zeros.h>
 #include <c10/core/InferenceMode.h>
 
 #include <array>
@@ -63,6 +65,7 @@ struct Irregularities::Cache {
   std::array<MipMap, kMapChoices * kMapChoices> cells_and_noise;
   MipMap flakes;
   WoodNoise wood;
+  std::map<int, at::Tensor> grain;
 
   /// The value kept at `place`, made now if there is none. A tensor born in inference mode could never serve
   /// a gradient.
@@ -126,6 +129,16 @@ WoodNoise Irregularities::wood() const {
                     .streaks = make_value_noise(cache_->seed, kWood + 1, kPeriod, kPeriod),
                     .distortion = make_noise_volume(cache_->seed, kWood + 2, 2, kVolumePeriod)};
   return cache_->wood;
+}
+
+at::Tensor Irregularities::grain(int n) const {
+  const MipMap map = noise(0);
+  const std::lock_guard lock(cache_->mutex);
+  const c10::InferenceMode normal_mode(false);
+  const auto found = cache_->grain.find(n);
+  if (found != cache_->grain.end()) return found->second;
+  const at::Tensor one = at::ones({}), zero = at::zeros({}), grain = look_up(map, one, zero, zero, n)[0];
+  return n > kLargestKept ? grain : cache_->grain.emplace(n, grain).first->second;
 }
 
 }  // namespace patina

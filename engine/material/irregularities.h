@@ -56,6 +56,9 @@ class Irregularities {
 
   WoodNoise wood() const;
 
+  /// noise(0), stretched over an image: [n + 1, n + 1] with neighbours (look_up.h), float32.
+  at::Tensor grain(int n) const;
+
  private:
   struct Cache;
   std::unique_ptr<Cache> cache_;

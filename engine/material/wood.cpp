@@ -3,10 +3,8 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
 #include <ATen/ops/hardtanh.h>
-#include <ATen/ops/ones.h>
 #include <ATen/ops/pow.h>
 #include <ATen/ops/rsub.h>
-#include <ATen/ops/zeros.h>
 #include <ATen/ops/zeros_like.h>
 
 #include <numbers>
@@ -24,7 +22,8 @@ namespace {
 constexpr double kAlongGrain = 0.1;
 constexpr double kThinnestRing = 1e-3;      // cm
 constexpr double kNarrowestVignette = 0.1;  // cm
-constexpr double kGrainHeight = 0.004;      // cm, of the noise that breaks up the highlight
+// Noise that breaks up the highlight: small, and the same for all wood.
+constexpr double kGrainHeight = 0.004;  // cm
 
 /// Where the cut meets the trunk, whose axis is z: cm, [n + 1, n + 1] with neighbours (open_normals).
 struct Cut {
@@ -60,13 +59,6 @@ at::Tensor rings_at(const Cut& cut, const at::Tensor& scale, const at::Tensor& a
   const at::Tensor grown =
       radius + amplitude * value_noise(noise, scale * radius, at::zeros_like(radius), width, width);
   return grown / ring_size.clamp_min(kThinnestRing);
-}
-
-/// The same for all wood, and small. @return  [n + 1, n + 1], cm
-at::Tensor fine_grain(const Irregularities& z, const at::TensorOptions& options, int resolution) {
-  const at::TensorOptions constant = options.requires_grad(false);
-  const at::Tensor one = at::ones({}, constant), zero = at::zeros({}, constant);
-  return kGrainHeight * look_up(z.noise(0), one, zero, zero, resolution)[0];
 }
 
 }  // namespace
@@ -107,7 +99,7 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
 
   Surface surface;
   surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, ssn_power * streaks + 1);
-  const at::Tensor heights = with_neighbours * lw_height + fine_grain(z, p.options(), resolution);
+  const at::Tensor heights = with_neighbours * lw_height + kGrainHeight * z.grain(resolution);
   surface.height = without_neighbours(heights);
   surface.normal = open_normals(heights, pixel_cm);
   const at::Tensor roughness = at::hardtanh(rough + at::rsub(latewood, 1) * ew_rough, 0, 1);

@@ -10,17 +10,12 @@
 #include <filesystem>
 #include <sstream>
 
+#include "engine/allocator.h"
 #include "engine/error.h"
 #include "engine/summary/network.h"
 #include "resources/networks/student.h"
 #include "resources/networks/training.h"
 #include "resources/networks/training_images.h"
-
-// A step asks for the same large blocks as the one before: giving them back in between costs a third of it.
-extern "C" {
-extern const char* malloc_conf;
-const char* malloc_conf = "dirty_decay_ms:-1,muzzy_decay_ms:-1,thp:always";
-}
 
 namespace patina {
 namespace {

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/allocator.h"
 #include "engine/error.h"
 #include "engine/material/registry.h"
 #include "resources/predictors/chooser_file.h"

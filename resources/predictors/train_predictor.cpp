@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 
+#include "engine/allocator.h"
 #include "engine/error.h"
 #include "engine/material/registry.h"
 #include "resources/predictors/predictor_loss.h"
