@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #define PATINA_KERNEL "engine/material/mip_kernel.simd.h"
 #include "engine/simd/each_target.h"
