@@ -12,8 +12,7 @@
 #include <ATen/ops/zeros.h>
 #include <torch/csrc/autograd/custom_function.h>
 
-#include <algorithm>
-
+#include "engine/material/pixel_blocks.h"
 #include "engine/material/spectrum_kernel.h"
 
 namespace patina {
@@ -51,20 +50,17 @@ struct Amplitudes : torch::autograd::Function<Amplitudes> {
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const variable_list inputs = context->get_saved_variables();
     const at::Tensor given = outputs.front().contiguous();
-    const std::int64_t rows = given.size(0), blocks = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
     variable_list by(inputs.size());  // nothing for the phasors
     by[0] = at::empty_like(inputs[0]);
     by[1] = at::empty_like(inputs[1]);
     // A block's sums stand for themselves until all are done: the total does not depend on the threads.
-    const at::Tensor by_x = at::zeros({blocks, inputs[2].numel()}, given.options()),
+    const at::Tensor by_x = at::zeros({blocks_of(given.size(0), kRowsAtOnce), inputs[2].numel()},
+                                      given.options()),
                      by_mirrored_x = at::zeros_like(by_x);
-    at::parallel_for(0, blocks, 1, [&](std::int64_t first, std::int64_t last) {
-      for (std::int64_t block = first; block < last; ++block)
-        spectrum::amplitudes_backward(
-            laid_out(inputs), block * kRowsAtOnce, std::min(rows, (block + 1) * kRowsAtOnce),
-            given.data_ptr<float>(),
-            {by[0].data_ptr<float>(), by[1].data_ptr<float>(), by_x[block].data_ptr<float>(),
-             by_mirrored_x[block].data_ptr<float>()});
+    over_blocks(given.size(0), kRowsAtOnce, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+      spectrum::amplitudes_backward(laid_out(inputs), begin, end, given.data_ptr<float>(),
+                                    {by[0].data_ptr<float>(), by[1].data_ptr<float>(),
+                                     by_x[block].data_ptr<float>(), by_mirrored_x[block].data_ptr<float>()});
     });
     by[2] = by_x.sum(0);
     by[3] = by_mirrored_x.sum(0);

@@ -5,7 +5,7 @@ namespace {
 
 using simd::Lanes;
 
-/// Sixteen pixels of a row: slopes, and one over the length of (-slope_x, -slope_y, 1).
+/// Pixels of a row that are taken at once: slopes, and one over the length of (-slope_x, -slope_y, 1).
 struct Slopes {
   Lanes x, y, inverse_length;
 };

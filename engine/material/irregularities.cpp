@@ -76,6 +76,16 @@ struct Irregularities::Cache {
     if (place.levels.empty()) place = make();
     return place;
   }
+
+  /// What is kept for n x n pixels, made now if there is nothing.
+  template <typename Value, typename Make>
+  Value keep(std::map<int, Value>& kept, int n, Make&& make) {
+    const c10::InferenceMode normal_mode(false);
+    if (n > kLargestKept) return make();
+    const std::lock_guard lock(mutex);
+    const auto found = kept.find(n);
+    return found != kept.end() ? found->second : kept.emplace(n, make()).first->second;
+  }
 };
 
 Irregularities::Irregularities(std::uint64_t seed) : cache_(std::make_unique<Cache>()) {
@@ -89,11 +99,7 @@ Phasors Irregularities::phasors(int n, at::ScalarType type) const {
   const c10::InferenceMode normal_mode(false);
   if (type == at::kDouble) return make_phasors<double>(cache_->seed, n, type);
   assert(type == at::kFloat);
-  if (n > kLargestKept) return make_phasors<float>(cache_->seed, n, type);
-  const std::lock_guard lock(cache_->mutex);
-  const auto found = cache_->phasors.find(n);
-  if (found != cache_->phasors.end()) return found->second;
-  return cache_->phasors.emplace(n, make_phasors<float>(cache_->seed, n, type)).first->second;
+  return cache_->keep(cache_->phasors, n, [&] { return make_phasors<float>(cache_->seed, n, type); });
 }
 
 MipMap Irregularities::noise(int choice) const {
@@ -133,12 +139,10 @@ WoodNoise Irregularities::wood() const {
 
 at::Tensor Irregularities::grain(int n) const {
   const MipMap map = noise(0);
-  const std::lock_guard lock(cache_->mutex);
-  const c10::InferenceMode normal_mode(false);
-  const auto found = cache_->grain.find(n);
-  if (found != cache_->grain.end()) return found->second;
-  const at::Tensor one = at::ones({}), zero = at::zeros({}), grain = look_up(map, one, zero, zero, n)[0];
-  return n > kLargestKept ? grain : cache_->grain.emplace(n, grain).first->second;
+  return cache_->keep(cache_->grain, n, [&] {
+    const at::Tensor one = at::ones({}), zero = at::zeros({});
+    return look_up(map, one, zero, zero, n)[0];
+  });
 }
 
 }  // namespace patina

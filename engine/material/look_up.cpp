@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "engine/material/mip_kernel.h"
+#include "engine/material/pixel_blocks.h"
 
 namespace patina {
 namespace {
@@ -92,15 +93,12 @@ struct LookUp : torch::autograd::Function<LookUp> {
     const at::Tensor by_x = at::zeros_like(saved[0]), by_y = at::empty_like(saved[1]),
                      by_weights = at::zeros_like(saved[2]);
     // A block's sums stand for themselves until all are done: the total does not depend on the threads.
-    const std::int64_t blocks = (problem.rows() + kRowsAtOnce - 1) / kRowsAtOnce;
-    std::vector<mip::Gradient> own(static_cast<std::size_t>(blocks),
+    std::vector<mip::Gradient> own(static_cast<std::size_t>(blocks_of(problem.rows(), kRowsAtOnce)),
                                    {std::vector<float>(problem.x.size()), by_y.data_ptr<float>(),
                                     std::vector<double>(problem.levels.size())});
-    at::parallel_for(0, blocks, 1, [&](std::int64_t first, std::int64_t last) {
-      for (std::int64_t block = first; block < last; ++block)
-        mip::look_up_backward(problem, block * kRowsAtOnce,
-                              std::min<std::int64_t>(problem.rows(), (block + 1) * kRowsAtOnce),
-                              by_value.data_ptr<float>(), own[static_cast<std::size_t>(block)]);
+    over_blocks(problem.rows(), kRowsAtOnce, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+      mip::look_up_backward(problem, begin, end, by_value.data_ptr<float>(),
+                            own[static_cast<std::size_t>(block)]);
     });
     for (std::size_t i = 0; i < problem.x.size(); ++i)
       by_x.data_ptr<float>()[i] = total(own, [i](const mip::Gradient& block) { return block.x[i]; });

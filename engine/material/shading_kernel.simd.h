@@ -13,7 +13,7 @@ constexpr float kInvPi = std::numbers::inv_pi_v<float>, kFourPi = 4 * std::numbe
 
 using Colour = std::array<Lanes, 3>;
 
-/// The fields and the view at sixteen pixels.
+/// The fields and the view at the pixels that are taken at once.
 struct Pixels {
   std::array<Lanes, kMostFields> field;
   Colour direction;
@@ -161,7 +161,7 @@ PATINA_INLINE void check(const ShadingProblem& problem) {
   static_cast<void>(problem);
 }
 
-/// The gradient by the fields at sixteen pixels, with the lamp's share.
+/// The gradient by the fields at such pixels, with the lamp's share.
 PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels, const Colour& image,
                                  const Colour& image_gradient, std::array<Lanes, kMostFields>& by,
                                  Lanes& by_light, Lanes& by_sigma) {
@@ -212,18 +212,15 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pi
       by_normal[0] += by_shape * shapes[l].by_nx;
       by_normal[2] += by_shape * shapes[l].by_nz;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (lobe.normal == ShadingProblem::kNormal)
-        by[lobe.normal + k] += by_normal[k];
-      else
-        by[lobe.normal + k] = by_normal[k];
-    }
+    const bool shared = lobe.normal == ShadingProblem::kNormal;
+    for (std::size_t k = 0; k < 3; ++k)
+      by[lobe.normal + k] = shared ? by[lobe.normal + k] + by_normal[k] : by_normal[k];
   }
 }
 
-/// Calls f(i, count) for sixteen pixels at a time: the count is known to the compiler in all but the last.
+/// Calls f(i, count) for kLanes pixels at a time: the count is known to the compiler in all but the last.
 template <class F>
-PATINA_INLINE void by_sixteen(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
+PATINA_INLINE void by_lanes(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
   std::ptrdiff_t i = begin;
   for (; i + simd::kLanes <= end; i += simd::kLanes) f(i, simd::kLanes);
   if (i < end) f(i, static_cast<int>(end - i));
@@ -236,7 +233,7 @@ void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrd
   check(problem);
   Pixels pixels;
   const Subset varying = set_uniform(problem, pixels);
-  by_sixteen(
+  by_lanes(
       begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
         gather(problem, varying, i, count, pixels);
         const Lanes light = irradiance(problem, pixels).value;
@@ -267,7 +264,7 @@ void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, 
   std::array<Lanes, kMostFields> by, sums;
   for (const std::size_t f : summed) sums[f] = Lanes{};
   Lanes light_sum{}, sigma_sum{};
-  by_sixteen(
+  by_lanes(
       begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
         gather(problem, varying, i, count, pixels);
         Colour value, by_image;

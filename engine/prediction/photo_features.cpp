@@ -37,7 +37,7 @@ Eigen::VectorXf PhotoFeatures::operator()(const Image& photo, const Capture& cap
   constexpr int kSmall = 512;
   const at::Tensor image =
       photo.width <= kSmall ? (*resampling_)(to_tensor(photo)) : to_tensor(resized(photo, side_));
-  const at::Tensor summary = (*summary_)(image.contiguous()).contiguous();
+  const at::Tensor summary = (*summary_)(image).contiguous();
   const float* entry = summary.data_ptr<float>();
   std::vector<float> features;
   for (const SummaryBlock& block : summary_->blocks()) {

@@ -13,14 +13,9 @@ PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
   return static_cast<int>(end - i < kLanes ? end - i : kLanes);
 }
 
-PATINA_INLINE Lanes gather(const float* from, const Bits& index) {
-  Lanes lanes;
-  for (int k = 0; k < kLanes; ++k) lanes[k] = from[index[k]];
-  return lanes;
-}
-
-/// @param index  kLanes of them
-PATINA_INLINE Lanes gather(const float* from, const std::int32_t* index) {
+/// @param index  Bits, or a pointer to kLanes of them
+template <class Index>
+PATINA_INLINE Lanes gather(const float* from, const Index& index) {
   Lanes lanes;
   for (int k = 0; k < kLanes; ++k) lanes[k] = from[index[k]];
   return lanes;

@@ -16,11 +16,7 @@ PATINA_INLINE void add(const float* from, std::ptrdiff_t count, float* to) {
 constexpr int kRows = 8;                // of a product, in registers together
 constexpr std::ptrdiff_t kBlock = 512;  // pixels that are added up in float32
 
-PATINA_INLINE int lanes_from(std::ptrdiff_t channel, std::ptrdiff_t channels) {
-  return static_cast<int>(std::min<std::ptrdiff_t>(channels - channel, simd::kLanes));
-}
-
-/// Sixteen numbers from a place in a map, or as many as are left of it. Those that belong to the next pixel
+/// kLanes numbers from a place in a map, or as many as are left of it. Those that belong to the next pixel
 /// do no harm to who ignores them, and reading them is faster than stopping before.
 PATINA_INLINE simd::Lanes load_along(const float* from, const float* end) {
   const std::ptrdiff_t left = end - from;
@@ -28,7 +24,7 @@ PATINA_INLINE simd::Lanes load_along(const float* from, const float* end) {
                               : simd::load_or_zero(from, static_cast<int>(left));
 }
 
-/// Products of `rows` channels from i on with sixteen from j on, added up over pixels.
+/// Products of `rows` channels from i on with kLanes from j on, added up over pixels.
 template <int rows>
 PATINA_INLINE void add_products(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels,
                                 std::ptrdiff_t i, std::ptrdiff_t j, const float* end, double* to) {
@@ -37,7 +33,7 @@ PATINA_INLINE void add_products(const float* x, std::ptrdiff_t pixels, std::ptrd
     const simd::Lanes right = load_along(pixel + j, end);
     for (int r = 0; r < rows; ++r) sums[r] += pixel[i + r] * right;
   }
-  const int count = lanes_from(j, channels);
+  const int count = simd::lanes_from(j, channels);
   for (int r = 0; r < rows; ++r)
     for (int k = 0; k < count; ++k) to[(i + r) * channels + j + k] += static_cast<double>(sums[r][k]);
 }
