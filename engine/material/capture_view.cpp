@@ -28,7 +28,10 @@ CaptureView make_view(const Capture& capture, int n, at::ScalarType type) {
   const at::Tensor z = at::full_like(square_radius, capture.camera_cm);
   return {.direction = at::stack({-x, -y, z}) / square_distance.sqrt(),
           .inverse_square_distance = square_distance.reciprocal(),
-          .square_radius = square_radius};
+          .square_radius = square_radius,
+          .inverse_distance = square_distance.rsqrt(),
+          .offset = step,
+          .camera_cm = capture.camera_cm};
 }
 
 }  // namespace

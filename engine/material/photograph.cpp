@@ -76,12 +76,11 @@ struct Laid {
 /// @param view  outlives the result, as the tensors do
 Laid lay_out(const variable_list& tensors, const std::vector<LobeInputs>& lobes, const CaptureView& view,
              DisplayCurve curve) {
-  const std::int64_t pixels = view.square_radius.numel();
   Laid laid;
-  const float* direction = view.direction.data_ptr<float>();
-  laid.problem.direction = {direction, direction + pixels, direction + 2 * pixels};
-  laid.problem.inverse_square_distance = view.inverse_square_distance.data_ptr<float>();
-  laid.problem.square_radius = view.square_radius.data_ptr<float>();
+  laid.problem.side = view.offset.numel();
+  laid.problem.offset = view.offset.data_ptr<float>();
+  laid.problem.inverse_distance = view.inverse_distance.data_ptr<float>();
+  laid.problem.camera_cm = static_cast<float>(view.camera_cm);
   laid.problem.light = *tensors[Inputs::kLight].data_ptr<float>();
   laid.problem.vignette_sigma = *tensors[Inputs::kVignetteSigma].data_ptr<float>();
   laid.problem.curve = curve;
@@ -174,7 +173,7 @@ struct Photograph : torch::autograd::Function<Photograph> {
     const Laid laid = lay_out(tensors, lobes_of(lobes), view, static_cast<DisplayCurve>(curve));
     const at::Tensor image = at::empty({3, resolution, resolution}, tensors.front().options());
     const Planes planes = planes_of(image);
-    over_blocks(resolution * resolution, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    over_blocks(resolution, rows_of_a_block(resolution), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
       shade_pixels(laid.problem, begin, end, planes);
     });
     variable_list kept = tensors;
@@ -202,8 +201,9 @@ struct Photograph : torch::autograd::Function<Photograph> {
 
     InputGradients gradients(*context, tensors, laid);
     const std::size_t fields = laid.problem.fields.size();
+    const std::int64_t side = image.size(1);
     const std::vector<double> total = sums_over_blocks(
-        view.square_radius.numel(), fields + 2, [&](std::int64_t begin, std::int64_t end, double* sums) {
+        side, rows_of_a_block(side), fields + 2, [&](std::int64_t begin, std::int64_t end, double* sums) {
           ShadingGradient gradient = gradients.block(sums);
           shade_pixels_backward(laid.problem, begin, end, values, by_values, gradient);
           sums[fields] = gradient.light;

@@ -30,16 +30,25 @@ void over_blocks(std::int64_t pixels, const F& f) {
   over_blocks(pixels, kBlock, f);
 }
 
-/// Calls f(begin, end, sums) for each block; f adds to `count` sums of its block's. A block's stand for
-/// themselves until all are done: the totals, which are returned, do not depend on the threads.
+/// Of rows of `side` pixels, as many as come near kBlock.
+inline std::int64_t rows_of_a_block(std::int64_t side) { return std::max<std::int64_t>(1, kBlock / side); }
+
+/// Calls f(begin, end, sums) for each block of `size` pixels, or rows; f adds to `summed` sums of its block's.
+/// A block's stand for themselves until all are done: the totals, which are returned, do not depend on the
+/// threads.
 template <class F>
-std::vector<double> sums_over_blocks(std::int64_t pixels, std::size_t count, const F& f) {
-  std::vector<double> sums(static_cast<std::size_t>(blocks_of(pixels)) * count), totals(count);
-  over_blocks(pixels, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
-    f(begin, end, sums.data() + static_cast<std::size_t>(block) * count);
+std::vector<double> sums_over_blocks(std::int64_t count, std::int64_t size, std::size_t summed, const F& f) {
+  std::vector<double> sums(static_cast<std::size_t>(blocks_of(count, size)) * summed), totals(summed);
+  over_blocks(count, size, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+    f(begin, end, sums.data() + static_cast<std::size_t>(block) * summed);
   });
-  for (std::size_t i = 0; i < sums.size(); ++i) totals[i % count] += sums[i];
+  for (std::size_t i = 0; i < sums.size(); ++i) totals[i % summed] += sums[i];
   return totals;
+}
+
+template <class F>
+std::vector<double> sums_over_blocks(std::int64_t pixels, std::size_t summed, const F& f) {
+  return sums_over_blocks(pixels, kBlock, summed, f);
 }
 
 }  // namespace patina

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #define PATINA_KERNEL "engine/material/shading_kernel.simd.h"
 #include "engine/simd/each_target.h"

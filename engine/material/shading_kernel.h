@@ -25,15 +25,17 @@ struct FieldGradient {
 /// for a normal that may be the surface's.
 struct LobeFields {
   std::size_t normal, f0, roughness_x, roughness_y;
-  bool isotropic() const { return roughness_x == roughness_y; }
+  constexpr bool isotropic() const { return roughness_x == roughness_y; }
+  bool operator==(const LobeFields&) const = default;
 };
 
-/// A surface and the light on it as flat arrays of pixels, for shade() and display() (shading.h) in one pass
-/// without a tensor in between.
+/// A surface and the light on it as flat arrays of side x side pixels, for shade() and display() (shading.h) in
+/// one pass without a tensor in between.
 struct ShadingProblem {
-  std::array<const float*, 3> direction;
-  const float* inverse_square_distance;
-  const float* square_radius;
+  std::ptrdiff_t side;
+  const float* offset;            ///< of `side` columns and, negated, rows (CaptureView)
+  const float* inverse_distance;  ///< the rest of a view follows by arithmetic, which is faster than memory
+  float camera_cm;
   float light, vignette_sigma;
   DisplayCurve curve;
   static constexpr std::size_t kBaseColor = 0, kNormal = 3, kLobes = 6;
@@ -51,12 +53,12 @@ struct ShadingGradient {
 using Planes = std::array<float*, 3>;
 using ConstPlanes = std::array<const float*, 3>;
 
-/// Pixels begin ... end - 1 of display(shade(surface)).
+/// Rows begin ... end - 1 of display(shade(surface)).
 void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                   const Planes& image);
 
-/// The gradient of a scalar by everything in the problem, given that by the image: planes are written, sums
-/// added to.
+/// The gradient of a scalar by everything in the problem, given that by rows of the image: planes are written,
+/// sums added to.
 /// @param image  what shade_pixels() made: the display curve's slope follows from its value without a power
 void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                            const ConstPlanes& image, const ConstPlanes& image_gradient,

@@ -13,43 +13,52 @@ constexpr float kInvPi = std::numbers::inv_pi_v<float>, kFourPi = 4 * std::numbe
 
 using Colour = std::array<Lanes, 3>;
 
+/// Which fields and lobes there are.
+struct AnyLobes {
+  static constexpr std::size_t kMost = kMostFields;
+  std::size_t fields;
+  std::span<const LobeFields> lobes;
+};
+
+/// The same where the compiler knows it, so that a vector's numbers stay in registers: one isotropic lobe
+/// about the surface's normal, as most materials have.
+struct OneLobe {
+  static constexpr std::size_t kMost = 10, fields = 10;
+  static constexpr std::array<LobeFields, 1> lobes = {
+      {{.normal = ShadingProblem::kNormal, .f0 = 6, .roughness_x = 9, .roughness_y = 9}}};
+};
+
+bool has_one_lobe(const ShadingProblem& problem) {
+  return problem.fields.size() == OneLobe::fields && problem.lobes.size() == 1 &&
+         problem.lobes.front() == OneLobe::lobes.front();
+}
+
 /// The fields and the view at the pixels that are taken at once.
+template <class Layout>
 struct Pixels {
-  std::array<Lanes, kMostFields> field;
+  std::array<Lanes, Layout::kMost> field;
   Colour direction;
   Lanes inverse_square_distance, square_radius;
 };
 
-/// Some of the fields, by their numbers.
-struct Subset {
-  std::array<std::size_t, kMostFields> fields;
-  std::size_t count = 0;
-
-  PATINA_INLINE void add(std::size_t field) { fields[count++] = field; }
-  PATINA_INLINE const std::size_t* begin() const { return fields.data(); }
-  PATINA_INLINE const std::size_t* end() const { return fields.data() + count; }
-};
-
-/// Sets the fields that are the same at all pixels, and returns the others.
-PATINA_INLINE Subset set_uniform(const ShadingProblem& problem, Pixels& pixels) {
-  Subset varying;
-  for (std::size_t f = 0; f < problem.fields.size(); ++f) {
-    if (problem.fields[f].uniform)
-      pixels.field[f] = *problem.fields[f].data - Lanes{};
-    else
-      varying.add(f);
+template <class Layout>
+PATINA_INLINE Pixels<Layout> gather(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t row,
+                                    std::ptrdiff_t column, int count) {
+  const std::ptrdiff_t i = row * problem.side + column;
+  Pixels<Layout> pixels;
+  for (std::size_t f = 0; f < layout.fields; ++f) {
+    const Field& field = problem.fields[f];
+    pixels.field[f] = field.uniform ? *field.data - Lanes{} : simd::load(field.data + i, count);
   }
-  return varying;
+  const Lanes x = simd::load(problem.offset + column, count), y = -problem.offset[row] - Lanes{};
+  const Lanes inverse_distance = simd::load(problem.inverse_distance + i, count);
+  pixels.direction = {-x * inverse_distance, -y * inverse_distance, problem.camera_cm * inverse_distance};
+  pixels.inverse_square_distance = inverse_distance * inverse_distance;
+  pixels.square_radius = x * x + y * y;
+  return pixels;
 }
 
-PATINA_INLINE void gather(const ShadingProblem& problem, const Subset& varying, std::ptrdiff_t i, int count,
-                          Pixels& pixels) {
-  for (const std::size_t f : varying) pixels.field[f] = simd::load(problem.fields[f].data + i, count);
-  for (std::size_t k = 0; k < 3; ++k) pixels.direction[k] = simd::load(problem.direction[k] + i, count);
-  pixels.inverse_square_distance = simd::load(problem.inverse_square_distance + i, count);
-  pixels.square_radius = simd::load(problem.square_radius + i, count);
-}
-
+template <class Pixels>
 PATINA_INLINE Lanes dot(const Pixels& pixels, std::size_t normal) {
   return pixels.field[normal] * pixels.direction[0] + pixels.field[normal + 1] * pixels.direction[1] +
          pixels.field[normal + 2] * pixels.direction[2];
@@ -65,9 +74,12 @@ struct Irradiance {
   Lanes per_light, value;
 };
 
+template <class Pixels>
 PATINA_INLINE Irradiance irradiance(const ShadingProblem& problem, const Pixels& pixels) {
-  const float per_square = -0.5f / (problem.vignette_sigma * problem.vignette_sigma);
-  const Lanes per_light = simd::exp(pixels.square_radius * per_square) * pixels.inverse_square_distance;
+  const float per_square =
+      -0.5f * std::numbers::log2e_v<float> / (problem.vignette_sigma * problem.vignette_sigma);
+  const Lanes exponent = simd::max(-126 - Lanes{}, pixels.square_radius * per_square);
+  const Lanes per_light = simd::exp2(exponent) * pixels.inverse_square_distance;
   return {per_light, per_light * problem.light};
 }
 
@@ -94,6 +106,7 @@ PATINA_INLINE LobeShape isotropic_shape(const Lanes& c, const Lanes& roughness) 
           .by_nz = Lanes{}};
 }
 
+template <class Pixels>
 PATINA_INLINE LobeShape anisotropic_shape(const Pixels& pixels, const LobeFields& lobe, const Lanes& c) {
   const Lanes nx = pixels.field[lobe.normal], nz = pixels.field[lobe.normal + 2];
   const Lanes rx = pixels.field[lobe.roughness_x], ry = pixels.field[lobe.roughness_y];
@@ -118,6 +131,7 @@ PATINA_INLINE LobeShape anisotropic_shape(const Pixels& pixels, const LobeFields
           .by_nz = by_hx * (dx / length - pull * nz)};
 }
 
+template <class Pixels>
 PATINA_INLINE LobeShape shape(const Pixels& pixels, const LobeFields& lobe, const Lanes& cosine) {
   if (lobe.isotropic()) return isotropic_shape(cosine, pixels.field[lobe.roughness_x]);
   return anisotropic_shape(pixels, lobe, cosine);
@@ -136,7 +150,7 @@ constexpr float kSrgbLinear = 0.0031308f, kSrgbSlope = 12.92f;
 PATINA_INLINE Lanes displayed(const Lanes& radiance, DisplayCurve curve) {
   const Lanes x = simd::clamp(radiance, kSmallestRadiance, 1);
   const CurvePower p = power_of(curve);
-  const Lanes power = p.gain * simd::exp(simd::log(x) * p.exponent) - p.offset;
+  const Lanes power = p.gain * simd::pow(x, p.exponent) - p.offset;
   return curve == DisplayCurve::srgb ? (x <= kSrgbLinear ? x * kSrgbSlope : power) : power;
 }
 
@@ -162,8 +176,10 @@ PATINA_INLINE void check(const ShadingProblem& problem) {
 }
 
 /// The gradient by the fields at such pixels, with the lamp's share.
-PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pixels, const Colour& image,
-                                 const Colour& image_gradient, std::array<Lanes, kMostFields>& by,
+template <class Layout>
+PATINA_INLINE void differentiate(const ShadingProblem& problem, const Layout& layout,
+                                 const Pixels<Layout>& pixels, const Colour& image,
+                                 const Colour& image_gradient, std::array<Lanes, Layout::kMost>& by,
                                  Lanes& by_light, Lanes& by_sigma) {
   const Irradiance light = irradiance(problem, pixels);
   const Lanes facing = dot(pixels, ShadingProblem::kNormal);
@@ -172,8 +188,8 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pi
   std::array<LobeShape, kMostLobes> shapes;
   Colour unlit;
   for (std::size_t k = 0; k < 3; ++k) unlit[k] = pixels.field[k] * kInvPi * cosine;
-  for (std::size_t l = 0; l < problem.lobes.size(); ++l) {
-    const LobeFields& lobe = problem.lobes[l];
+  for (std::size_t l = 0; l < layout.lobes.size(); ++l) {
+    const LobeFields& lobe = layout.lobes[l];
     cosines[l] = dot(pixels, lobe.normal);
     shapes[l] = shape(pixels, lobe, simd::clamp(cosines[l], kSmallestCosine, 1));
     for (std::size_t k = 0; k < 3; ++k) unlit[k] += pixels.field[lobe.f0 + k] * shapes[l].value;
@@ -196,8 +212,8 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pi
   // Every field is one lobe's, but for the surface's normal, which lobes may share.
   by_cosine = inside(facing, kSmallestCosine, 1, by_cosine);
   for (std::size_t k = 0; k < 3; ++k) by[ShadingProblem::kNormal + k] = by_cosine * pixels.direction[k];
-  for (std::size_t l = 0; l < problem.lobes.size(); ++l) {
-    const LobeFields& lobe = problem.lobes[l];
+  for (std::size_t l = 0; l < layout.lobes.size(); ++l) {
+    const LobeFields& lobe = layout.lobes[l];
     Lanes by_shape{};
     for (std::size_t k = 0; k < 3; ++k) {
       by_shape += by_unlit[k] * pixels.field[lobe.f0 + k];
@@ -218,12 +234,69 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Pixels& pi
   }
 }
 
-/// Calls f(i, count) for kLanes pixels at a time: the count is known to the compiler in all but the last.
+/// Calls f(row, column, count) for kLanes pixels of a row at a time: the count is known to the compiler in all
+/// but the last.
 template <class F>
-PATINA_INLINE void by_lanes(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
-  std::ptrdiff_t i = begin;
-  for (; i + simd::kLanes <= end; i += simd::kLanes) f(i, simd::kLanes);
-  if (i < end) f(i, static_cast<int>(end - i));
+PATINA_INLINE void over_rows(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t side, const F& f) {
+  for (std::ptrdiff_t row = begin; row < end; ++row) {
+    std::ptrdiff_t column = 0;
+    for (; column + simd::kLanes <= side; column += simd::kLanes) f(row, column, simd::kLanes);
+    if (column < side) f(row, column, static_cast<int>(side - column));
+  }
+}
+
+template <class Layout>
+PATINA_INLINE void shade(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin,
+                         std::ptrdiff_t end, const Planes& image) {
+  over_rows(
+      begin, end, problem.side,
+      [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+        const Pixels<Layout> pixels = gather(problem, layout, row, column, count);
+        const Lanes light = irradiance(problem, pixels).value;
+        const Lanes cosine = simd::clamp(dot(pixels, ShadingProblem::kNormal), kSmallestCosine, 1);
+        Colour unlit;
+        for (std::size_t k = 0; k < 3; ++k) unlit[k] = pixels.field[k] * kInvPi * cosine;
+        for (const LobeFields& lobe : layout.lobes) {
+          const Lanes facing = simd::clamp(dot(pixels, lobe.normal), kSmallestCosine, 1);
+          const Lanes value = shape(pixels, lobe, facing).value;
+          for (std::size_t k = 0; k < 3; ++k) unlit[k] += pixels.field[lobe.f0 + k] * value;
+        }
+        const std::ptrdiff_t i = row * problem.side + column;
+        for (std::size_t k = 0; k < 3; ++k)
+          simd::store(displayed(unlit[k] * light, problem.curve), image[k] + i, count);
+      });
+}
+
+template <class Layout>
+PATINA_INLINE void shade_backward(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin,
+                                  std::ptrdiff_t end, const ConstPlanes& image,
+                                  const ConstPlanes& image_gradient, ShadingGradient& gradient) {
+  std::array<Lanes, Layout::kMost> by, sums;
+  for (std::size_t f = 0; f < layout.fields; ++f) sums[f] = Lanes{};
+  Lanes light_sum{}, sigma_sum{};
+  over_rows(
+      begin, end, problem.side,
+      [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+        const std::ptrdiff_t i = row * problem.side + column;
+        Colour value, by_image;
+        for (std::size_t k = 0; k < 3; ++k) {
+          value[k] = simd::load(image[k] + i, count);
+          by_image[k] = simd::load_or_zero(image_gradient[k] + i, count);
+        }
+        const Pixels<Layout> pixels = gather(problem, layout, row, column, count);
+        Lanes by_light, by_sigma;
+        differentiate(problem, layout, pixels, value, by_image, by, by_light, by_sigma);
+        light_sum += by_light;
+        sigma_sum += by_sigma;
+        for (std::size_t f = 0; f < layout.fields; ++f) {
+          if (gradient.fields[f].plane) simd::store(by[f], gradient.fields[f].plane + i, count);
+          if (gradient.fields[f].sum) sums[f] += by[f];
+        }
+      });
+  gradient.light += simd::sum(light_sum);
+  gradient.vignette_sigma += simd::sum(sigma_sum) / std::pow(problem.vignette_sigma, 3.0);
+  for (std::size_t f = 0; f < layout.fields; ++f)
+    if (gradient.fields[f].sum) *gradient.fields[f].sum += simd::sum(sums[f]);
 }
 
 }  // namespace
@@ -231,57 +304,18 @@ PATINA_INLINE void by_lanes(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f
 void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                   const Planes& image) {
   check(problem);
-  Pixels pixels;
-  const Subset varying = set_uniform(problem, pixels);
-  by_lanes(
-      begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
-        gather(problem, varying, i, count, pixels);
-        const Lanes light = irradiance(problem, pixels).value;
-        const Lanes cosine = simd::clamp(dot(pixels, ShadingProblem::kNormal), kSmallestCosine, 1);
-        Colour unlit;
-        for (std::size_t k = 0; k < 3; ++k) unlit[k] = pixels.field[k] * kInvPi * cosine;
-        for (const LobeFields& lobe : problem.lobes) {
-          const Lanes facing = simd::clamp(dot(pixels, lobe.normal), kSmallestCosine, 1);
-          const Lanes value = shape(pixels, lobe, facing).value;
-          for (std::size_t k = 0; k < 3; ++k) unlit[k] += pixels.field[lobe.f0 + k] * value;
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-          simd::store(displayed(unlit[k] * light, problem.curve), image[k] + i, count);
-      });
+  if (has_one_lobe(problem)) return shade(problem, OneLobe{}, begin, end, image);
+  shade(problem, AnyLobes{problem.fields.size(), problem.lobes}, begin, end, image);
 }
 
 void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                            const ConstPlanes& image, const ConstPlanes& image_gradient,
                            ShadingGradient& gradient) {
   check(problem);
-  Pixels pixels;
-  const Subset varying = set_uniform(problem, pixels);
-  Subset planes, summed;
-  for (std::size_t f = 0; f < problem.fields.size(); ++f) {
-    if (gradient.fields[f].plane) planes.add(f);
-    if (gradient.fields[f].sum) summed.add(f);
-  }
-  std::array<Lanes, kMostFields> by, sums;
-  for (const std::size_t f : summed) sums[f] = Lanes{};
-  Lanes light_sum{}, sigma_sum{};
-  by_lanes(
-      begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
-        gather(problem, varying, i, count, pixels);
-        Colour value, by_image;
-        for (std::size_t k = 0; k < 3; ++k) {
-          value[k] = simd::load(image[k] + i, count);
-          by_image[k] = simd::load_or_zero(image_gradient[k] + i, count);
-        }
-        Lanes by_light, by_sigma;
-        differentiate(problem, pixels, value, by_image, by, by_light, by_sigma);
-        light_sum += by_light;
-        sigma_sum += by_sigma;
-        for (const std::size_t f : planes) simd::store(by[f], gradient.fields[f].plane + i, count);
-        for (const std::size_t f : summed) sums[f] += by[f];
-      });
-  gradient.light += simd::sum(light_sum);
-  gradient.vignette_sigma += simd::sum(sigma_sum) / std::pow(problem.vignette_sigma, 3.0);
-  for (const std::size_t f : summed) *gradient.fields[f].sum += simd::sum(sums[f]);
+  if (has_one_lobe(problem))
+    return shade_backward(problem, OneLobe{}, begin, end, image, image_gradient, gradient);
+  shade_backward(problem, AnyLobes{problem.fields.size(), problem.lobes}, begin, end, image, image_gradient,
+                 gradient);
 }
 
 }  // namespace patina::PATINA_TARGET

@@ -1,5 +1,7 @@
 #include "engine/material/wood_kernel.h"
 
+#include <numbers>
+
 #define PATINA_KERNEL "engine/material/wood_kernel.simd.h"
 #include "engine/simd/each_target.h"
 

@@ -144,8 +144,8 @@ void wood_color(const Colour& earlywood, const Colour& latewood, const float* ra
     const Lanes q = simd::load(ratio + i, count), power = simd::load(exponent + i, count);
     for (std::size_t c = 0; c < 3; ++c) {
       const Lanes mixed = earlywood[c] + q * (latewood[c] - earlywood[c]);
-      const Lanes positive = mixed < kDarkest ? kDarkest - Lanes{} : mixed;
-      simd::store(simd::exp(power * simd::log(positive)), color[c] + i, count);
+      const Lanes positive = simd::max(kDarkest - Lanes{}, mixed);
+      simd::store(simd::exp2(simd::clamp(power * simd::log2(positive), -126, 126)), color[c] + i, count);
     }
   }
 }
@@ -162,16 +162,16 @@ void wood_color_backward(const Colour& earlywood, const Colour& latewood, const 
     for (std::size_t c = 0; c < 3; ++c) {
       const float contrast = latewood[c] - earlywood[c];
       const Lanes mixed = earlywood[c] + q * contrast;
-      const Lanes positive = mixed < kDarkest ? kDarkest - Lanes{} : mixed;
+      const Lanes positive = simd::max(kDarkest - Lanes{}, mixed);
       const Lanes by_log = simd::load_or_zero(gradient[c] + i, count) * simd::load(color[c] + i, count);
-      by_power += by_log * simd::log(positive);
+      by_power += by_log * simd::log2(positive);
       const Lanes by_mixed = by_log * power / positive;
       by_q += by_mixed * contrast;
       early_sums[c] += by_mixed * (1 - q);
       late_sums[c] += by_mixed * q;
     }
     simd::store(by_q, by_ratio + i, count);
-    simd::store(by_power, by_exponent + i, count);
+    simd::store(by_power * std::numbers::ln2_v<float>, by_exponent + i, count);
   }
   for (std::size_t c = 0; c < 3; ++c) {
     by_earlywood[c] += simd::sum(early_sums[c]);

@@ -10,13 +10,13 @@ constexpr float kOffset = 0.055f, kGain = 1.055f, kGamma = 2.4f, kSlope = 12.92f
 constexpr float kLastLinearDisplay = 0.04045f, kLastLinear = 0.0031308f;
 
 PATINA_INLINE Lanes to_linear(const Lanes& display) {
-  const Lanes power = simd::exp(simd::log((display + kOffset) * (1 / kGain)) * kGamma);
+  const Lanes power = simd::pow((display + kOffset) * (1 / kGain), kGamma);
   return display <= kLastLinearDisplay ? display * (1 / kSlope) : power;
 }
 
 PATINA_INLINE Lanes to_display(const Lanes& linear) {
-  const Lanes positive = linear < kLastLinear ? kLastLinear - Lanes{} : linear;
-  const Lanes power = kGain * simd::exp(simd::log(positive) * (1 / kGamma)) - kOffset;
+  const Lanes positive = simd::max(kLastLinear - Lanes{}, linear);
+  const Lanes power = kGain * simd::pow(positive, 1 / kGamma) - kOffset;
   return linear <= kLastLinear ? linear * kSlope : power;
 }
 

@@ -56,9 +56,36 @@ PATINA_INLINE double sum(const Lanes& lanes) {
   return total;
 }
 
+// The processor's own instruction, for which gcc has a comparison and a choice.
+#if PATINA_LANES == 16
+#define PATINA_EXTREME(name, x, y) __builtin_ia32_##name##ps512_mask(x, y, x, 0xffff, 4)
+#elif PATINA_LANES == 8
+#define PATINA_EXTREME(name, x, y) __builtin_ia32_##name##ps256(x, y)
+#elif defined(__x86_64__)
+#define PATINA_EXTREME(name, x, y) __builtin_ia32_##name##ps(x, y)
+#endif
+
+/// The larger of two numbers; y where one of them is none.
+PATINA_INLINE Lanes max(const Lanes& x, const Lanes& y) {
+#if defined(PATINA_EXTREME)
+  return PATINA_EXTREME(max, x, y);
+#else
+  return x > y ? x : y;
+#endif
+}
+
+/// The smaller of two numbers; y where one of them is none.
+PATINA_INLINE Lanes min(const Lanes& x, const Lanes& y) {
+#if defined(PATINA_EXTREME)
+  return PATINA_EXTREME(min, x, y);
+#else
+  return x < y ? x : y;
+#endif
+}
+#undef PATINA_EXTREME
+
 PATINA_INLINE Lanes clamp(const Lanes& x, float low, float high) {
-  const Lanes raised = x < low ? low - Lanes{} : x;
-  return raised > high ? high - Lanes{} : raised;
+  return min(high - Lanes{}, max(low - Lanes{}, x));
 }
 
 /// The largest whole number not above x, of 31 bits.
@@ -73,30 +100,27 @@ PATINA_INLINE Lanes sqrt(const Lanes& x) {
   return root;
 }
 
-/// exp(x) for x in [-87, 88], clamped to it; relative error below 3e-7. Cody and Waite's reduction and the
-/// polynomial of Moshier's Cephes library (expf).
-PATINA_INLINE Lanes exp(const Lanes& exponent) {
-  const Lanes x = clamp(exponent, -87, 88);
+/// 2^x for x in [-126, 127], relative error below 3e-7: the nearest whole power times a polynomial of the rest,
+/// which is the best of its degree (as log2's is, of those without a constant).
+PATINA_INLINE Lanes exp2(const Lanes& x) {
   constexpr float kRound = 12582912;  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
-  const Lanes shifted = x * 1.44269504088896341f + kRound;
-  const Lanes whole = shifted - kRound;
-  const Lanes r = x - whole * 0.693359375f + whole * 2.12194440e-4f;
-  Lanes p = r * 1.9875691500e-4f + 1.3981999507e-3f;
-  p = p * r + 8.3334519073e-3f;
-  p = p * r + 4.1665795894e-2f;
-  p = p * r + 1.6666665459e-1f;
-  p = p * r + 5.0000001201e-1f;
-  p = p * r * r + r + 1;
-  const Bits power = __builtin_convertvector(whole, Bits) + 127;
-  const Bits bits = power << 23;
-  Lanes scale;
-  std::memcpy(&scale, &bits, sizeof scale);
-  return p * scale;
+  const Lanes shifted = x + kRound;
+  const Lanes r = x - (shifted - kRound);
+  Lanes p = r * 1.326472731e-3f + 9.671512991e-3f;
+  p = p * r + 5.550733581e-2f;
+  p = p * r + 2.402224243e-1f;
+  p = p * r + 6.931470037e-1f;
+  p = p * r + 1;
+  Bits whole, bits;
+  std::memcpy(&whole, &shifted, sizeof whole);
+  std::memcpy(&bits, &p, sizeof bits);
+  bits += whole << 23;  // to the exponent; what else is in `whole` is shifted out
+  std::memcpy(&p, &bits, sizeof p);
+  return p;
 }
 
-/// log(x) for normal positive x; error below 2e-7 of the larger of |log x| and 1. Polynomial of Cephes
-/// (logf).
-PATINA_INLINE Lanes log(const Lanes& x) {
+/// log2(x) for normal positive x; error below 2e-7 of the larger of |log2 x| and 1.
+PATINA_INLINE Lanes log2(const Lanes& x) {
   Bits bits;
   std::memcpy(&bits, &x, sizeof bits);
   // Mantissa in [sqrt(1/2), sqrt(2)).
@@ -105,17 +129,22 @@ PATINA_INLINE Lanes log(const Lanes& x) {
   const Bits mantissa_bits = bits - (exponent << 23);
   Lanes m;
   std::memcpy(&m, &mantissa_bits, sizeof m);
-  const Lanes r = m - 1, e = __builtin_convertvector(exponent, Lanes), r2 = r * r;
-  Lanes p = r * 7.0376836292e-2f - 1.1514610310e-1f;
-  p = p * r + 1.1676998740e-1f;
-  p = p * r - 1.2420140846e-1f;
-  p = p * r + 1.4249322787e-1f;
-  p = p * r - 1.6668057665e-1f;
-  p = p * r + 2.0000714765e-1f;
-  p = p * r - 2.4999993993e-1f;
-  p = p * r + 3.3333331174e-1f;
-  p = p * r * r2 - e * 2.12194440e-4f - 0.5f * r2;
-  return r + p + e * 0.693359375f;
+  const Lanes r = m - 1, e = __builtin_convertvector(exponent, Lanes);
+  Lanes p = 2.368903458e-1f - r * 1.457444578e-1f;
+  p = p * r - 2.500690222e-1f;
+  p = p * r + 2.867074609e-1f;
+  p = p * r - 3.600872159e-1f;
+  p = p * r + 4.809394479e-1f;
+  p = p * r - 7.213571668e-1f;
+  p = p * r + 1.442694783f;
+  return p * r + e;
+}
+
+/// x^exponent for normal positive x, where exponent log2 x lies in [-126, 127]; relative error below
+/// 3e-7 (1 + |exponent log2 x|).
+template <class Exponent>
+PATINA_INLINE Lanes pow(const Lanes& x, const Exponent& exponent) {
+  return exp2(log2(x) * exponent);
 }
 
 }  // namespace patina::simd::PATINA_TARGET
