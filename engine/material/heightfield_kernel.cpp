@@ -5,14 +5,14 @@
 
 namespace patina {
 
-void normals_of_rows(const float* height, float per_pixel, std::ptrdiff_t n, std::ptrdiff_t begin,
-                     std::ptrdiff_t end, const std::array<float*, 3>& normal) {
-  PATINA_ON_TARGET(normals_of_rows(height, per_pixel, n, begin, end, normal));
+void normals_of_row(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
+                    const std::array<float*, 3>& normal) {
+  PATINA_ON_TARGET(normals_of_row(above, here, per_pixel, n, normal));
 }
 
-void normals_backward(const float* height, float per_pixel, std::ptrdiff_t n,
-                      const std::array<const float*, 3>& normal_gradient, float* height_gradient) {
-  PATINA_ON_TARGET(normals_backward(height, per_pixel, n, normal_gradient, height_gradient));
+void normals_of_row_backward(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
+                             const std::array<const float*, 3>& by_normal, float* by_above, float* by_here) {
+  PATINA_ON_TARGET(normals_of_row_backward(above, here, per_pixel, n, by_normal, by_above, by_here));
 }
 
 }  // namespace patina

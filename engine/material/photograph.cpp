@@ -1,8 +1,6 @@
 #include "engine/material/photograph.h"
 
 #include <ATen/ops/empty.h>
-#include <ATen/ops/empty_like.h>
-#include <ATen/ops/zeros_like.h>
 #include <torch/csrc/autograd/custom_function.h>
 
 #include <utility>
@@ -35,6 +33,14 @@ at::Tensor as_colour(const at::Tensor& colour) {
   return planes.expand({3, planes.size(1), planes.size(2)});
 }
 
+/// As the kernel reads it: planes without gaps, however far apart, or one number for all of one's pixels.
+/// Copies only where neither is so.
+at::Tensor as_planes(const at::Tensor& tensor) {
+  if (tensor.dim() < 3) return tensor.contiguous();
+  if (tensor.stride(1) == 0 && tensor.stride(2) == 0) return tensor.narrow(1, 0, 1).narrow(2, 0, 1);
+  return tensor[0].is_contiguous() ? tensor : tensor.contiguous();
+}
+
 Inputs collect(const Surface& surface) {
   Inputs inputs{{surface.light, surface.vignette_sigma, as_colour(surface.base_color), surface.normal}, {}};
   const auto add = [&](const at::Tensor& tensor) {
@@ -49,7 +55,7 @@ Inputs collect(const Surface& surface) {
     at.roughness_y = lobe.roughness_y.is_same(lobe.roughness_x) ? at.roughness_x : add(lobe.roughness_y);
     inputs.lobes.push_back(at);
   }
-  for (at::Tensor& tensor : inputs.tensors) tensor = tensor.contiguous();
+  for (at::Tensor& tensor : inputs.tensors) tensor = as_planes(tensor);
   return inputs;
 }
 
@@ -66,6 +72,8 @@ std::vector<LobeInputs> lobes_of(const std::vector<std::int64_t>& numbers) {
     lobes.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
   return lobes;
 }
+
+std::int64_t plane_count(const at::Tensor& tensor) { return tensor.dim() == 3 ? tensor.size(0) : 1; }
 
 /// A problem of fields whose first planes lie in the same order as its tensors.
 struct Laid {
@@ -88,9 +96,9 @@ Laid lay_out(const variable_list& tensors, const std::vector<LobeInputs>& lobes,
   for (std::size_t t = Inputs::kBaseColor; t < tensors.size(); ++t) {
     laid.first[t] = laid.problem.fields.size();
     const at::Tensor& tensor = tensors[t];
-    const std::int64_t planes = tensor.dim() == 3 ? 3 : 1, step = tensor.numel() / planes;
+    const std::int64_t planes = plane_count(tensor), step = planes == 1 ? 0 : tensor.stride(0);
     for (std::int64_t k = 0; k < planes; ++k)
-      laid.problem.fields.push_back({tensor.data_ptr<float>() + k * step, step == 1});
+      laid.problem.fields.push_back({tensor.data_ptr<float>() + k * step, tensor.numel() == planes});
   }
   const auto field = [&](std::int64_t tensor) { return laid.first[static_cast<std::size_t>(tensor)]; };
   for (const LobeInputs& lobe : lobes)
@@ -120,7 +128,7 @@ class InputGradients {
   InputGradients(AutogradContext& context, const variable_list& tensors, const Laid& laid)
       : laid_(laid), gradients_(tensors.size()) {
     for (std::size_t t = 0; t < tensors.size(); ++t)
-      if (context.needs_input_grad(t)) gradients_[t] = at::empty_like(tensors[t]);
+      if (context.needs_input_grad(t)) gradients_[t] = at::empty(tensors[t].sizes(), tensors[t].options());
   }
 
   /// @param sums  one for each field
@@ -148,7 +156,7 @@ class InputGradients {
   void for_each_field(const F& f) const {
     for (std::size_t t = Inputs::kBaseColor; t < gradients_.size(); ++t) {
       if (!gradients_[t].defined()) continue;
-      const std::int64_t planes = gradients_[t].dim() == 3 ? 3 : 1, step = gradients_[t].numel() / planes;
+      const std::int64_t planes = plane_count(gradients_[t]), step = gradients_[t].numel() / planes;
       for (std::int64_t k = 0; k < planes; ++k)
         f(laid_.first[t] + static_cast<std::size_t>(k), gradients_[t].data_ptr<float>() + k * step,
           step == 1);
@@ -173,9 +181,10 @@ struct Photograph : torch::autograd::Function<Photograph> {
     const Laid laid = lay_out(tensors, lobes_of(lobes), view, static_cast<DisplayCurve>(curve));
     const at::Tensor image = at::empty({3, resolution, resolution}, tensors.front().options());
     const Planes planes = planes_of(image);
-    over_blocks(resolution, rows_of_a_block(resolution), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      shade_pixels(laid.problem, begin, end, planes);
-    });
+    over_blocks(resolution, rows_of_a_block(resolution),
+                [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+                  shade_pixels(laid.problem, begin, end, planes);
+                });
     variable_list kept = tensors;
     kept.push_back(image);
     context->save_for_backward(kept);

@@ -7,7 +7,7 @@ namespace {
 
 using simd::Lanes;
 
-constexpr float kSmallestCosine = 1e-3f, kSmallestRadiance = 1e-6f;
+constexpr float kSmallestCosine = 1e-3f, kSmallestRadiance = 1e-6f, kLeastSquareLength = 1e-8f;
 constexpr std::size_t kMostLobes = 8;
 constexpr float kInvPi = std::numbers::inv_pi_v<float>, kFourPi = 4 * std::numbers::pi_v<float>;
 
@@ -20,17 +20,33 @@ struct AnyLobes {
   std::span<const LobeFields> lobes;
 };
 
-/// The same where the compiler knows it, so that a vector's numbers stay in registers: one isotropic lobe
-/// about the surface's normal, as most materials have.
-struct OneLobe {
-  static constexpr std::size_t kMost = 10, fields = 10;
-  static constexpr std::array<LobeFields, 1> lobes = {
-      {{.normal = ShadingProblem::kNormal, .f0 = 6, .roughness_x = 9, .roughness_y = 9}}};
+/// The same where the compiler knows it, so that a vector's numbers stay in registers.
+template <LobeFields... kLobes>
+struct Lobes {
+  static constexpr std::size_t fields = std::max({ShadingProblem::kLobes, kLobes.roughness_y + 1 ...}),
+                               kMost = fields;
+  static constexpr std::array<LobeFields, sizeof...(kLobes)> lobes = {kLobes...};
+
+  static bool are_of(const ShadingProblem& problem) {
+    return problem.fields.size() == fields && std::ranges::equal(problem.lobes, lobes);
+  }
 };
 
-bool has_one_lobe(const ShadingProblem& problem) {
-  return problem.fields.size() == OneLobe::fields && problem.lobes.size() == 1 &&
-         problem.lobes.front() == OneLobe::lobes.front();
+constexpr std::size_t kShared = ShadingProblem::kNormal;
+using NoLobe = Lobes<>;                                         // translucent
+using OneLobe = Lobes<LobeFields{kShared, 6, 9, 9}>;            // most materials
+using OneStretchedLobe = Lobes<LobeFields{kShared, 6, 9, 10}>;  // metal
+using ThreeLobes = Lobes<LobeFields{kShared, 6, 9, 9}, LobeFields{10, 13, 16, 16},
+                         LobeFields{kShared, 17, 20, 20}>;  // flake
+
+/// Calls f(layout).
+template <class F>
+void with_layout(const ShadingProblem& problem, const F& f) {
+  if (NoLobe::are_of(problem)) return f(NoLobe{});
+  if (OneLobe::are_of(problem)) return f(OneLobe{});
+  if (OneStretchedLobe::are_of(problem)) return f(OneStretchedLobe{});
+  if (ThreeLobes::are_of(problem)) return f(ThreeLobes{});
+  f(AnyLobes{problem.fields.size(), problem.lobes});
 }
 
 /// The fields and the view at the pixels that are taken at once.
@@ -112,23 +128,25 @@ PATINA_INLINE LobeShape anisotropic_shape(const Pixels& pixels, const LobeFields
   const Lanes rx = pixels.field[lobe.roughness_x], ry = pixels.field[lobe.roughness_y];
   const Lanes &dx = pixels.direction[0], &dz = pixels.direction[2];
   const Lanes square_length = nx * nx + nz * nz;
-  const Lanes length = simd::sqrt(square_length > 1e-8f ? square_length : 1e-8f - Lanes{});
-  const Lanes hx = (nz * dx - nx * dz) / length, hy2 = 1 - hx * hx - c * c;
-  const Lanes square_hy = hy2 > 0 ? hy2 : Lanes{};
-  const Lanes inverse_ax = 1 / (rx * rx), inverse_ay = 1 / (ry * ry);
+  const Lanes inverse_length = 1 / simd::sqrt(simd::max(square_length, kLeastSquareLength - Lanes{}));
+  const Lanes hx = (nz * dx - nx * dz) * inverse_length, hy2 = 1 - hx * hx - c * c;
+  const Lanes square_hy = simd::max(hy2, Lanes{});
+  const Lanes inverse_rx = 1 / rx, inverse_ry = 1 / ry;
+  const Lanes inverse_ax = inverse_rx * inverse_rx, inverse_ay = inverse_ry * inverse_ry;
   const Lanes x2 = hx * hx * inverse_ax * inverse_ax, y2 = square_hy * inverse_ay * inverse_ay;
   const Lanes tail = x2 + y2 + c * c;
-  const Lanes value = inverse_ax * inverse_ay / (tail * tail * c * kFourPi);
-  const Lanes by_tail = -2 * value / tail;
+  const Lanes inverse = 1 / (c * tail);
+  const Lanes value = inverse_ax * inverse_ay * (inverse * inverse * c) * (1 / kFourPi);
+  const Lanes by_tail = -2 * value * (inverse * c);
   const Lanes hy_part = hy2 > 0 ? inverse_ay * inverse_ay : Lanes{};
   const Lanes by_hx = by_tail * 2 * hx * (inverse_ax * inverse_ax - hy_part);
-  const Lanes pull = square_length > 1e-8f ? hx / square_length : Lanes{};
+  const Lanes pull = square_length > kLeastSquareLength ? hx * inverse_length * inverse_length : Lanes{};
   return {.value = value,
-          .by_cosine = by_tail * 2 * c * (1 - hy_part) - value / c,
-          .by_roughness_x = (by_tail * -2 * x2 - value) * 2 / rx,
-          .by_roughness_y = (by_tail * -2 * y2 - value) * 2 / ry,
-          .by_nx = by_hx * (-dz / length - pull * nx),
-          .by_nz = by_hx * (dx / length - pull * nz)};
+          .by_cosine = by_tail * 2 * c * (1 - hy_part) - value * (inverse * tail),
+          .by_roughness_x = (by_tail * -2 * x2 - value) * 2 * inverse_rx,
+          .by_roughness_y = (by_tail * -2 * y2 - value) * 2 * inverse_ry,
+          .by_nx = by_hx * (-dz * inverse_length - pull * nx),
+          .by_nz = by_hx * (dx * inverse_length - pull * nz)};
 }
 
 template <class Pixels>
@@ -234,8 +252,8 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Layout& la
   }
 }
 
-/// Calls f(row, column, count) for kLanes pixels of a row at a time: the count is known to the compiler in all
-/// but the last.
+/// Calls f(row, column, count) for kLanes pixels of a row at a time: the count is known to the compiler in
+/// all but the last.
 template <class F>
 PATINA_INLINE void over_rows(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t side, const F& f) {
   for (std::ptrdiff_t row = begin; row < end; ++row) {
@@ -246,11 +264,11 @@ PATINA_INLINE void over_rows(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrd
 }
 
 template <class Layout>
-PATINA_INLINE void shade(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin,
-                         std::ptrdiff_t end, const Planes& image) {
+void shade(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin, std::ptrdiff_t end,
+           const Planes& image) {
   over_rows(
-      begin, end, problem.side,
-      [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+      begin, end,
+      problem.side, [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
         const Pixels<Layout> pixels = gather(problem, layout, row, column, count);
         const Lanes light = irradiance(problem, pixels).value;
         const Lanes cosine = simd::clamp(dot(pixels, ShadingProblem::kNormal), kSmallestCosine, 1);
@@ -268,15 +286,15 @@ PATINA_INLINE void shade(const ShadingProblem& problem, const Layout& layout, st
 }
 
 template <class Layout>
-PATINA_INLINE void shade_backward(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin,
-                                  std::ptrdiff_t end, const ConstPlanes& image,
-                                  const ConstPlanes& image_gradient, ShadingGradient& gradient) {
+void shade_backward(const ShadingProblem& problem, const Layout& layout, std::ptrdiff_t begin,
+                    std::ptrdiff_t end, const ConstPlanes& image, const ConstPlanes& image_gradient,
+                    ShadingGradient& gradient) {
   std::array<Lanes, Layout::kMost> by, sums;
   for (std::size_t f = 0; f < layout.fields; ++f) sums[f] = Lanes{};
   Lanes light_sum{}, sigma_sum{};
   over_rows(
-      begin, end, problem.side,
-      [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+      begin, end,
+      problem.side, [&](std::ptrdiff_t row, std::ptrdiff_t column, int count) __attribute__((always_inline)) {
         const std::ptrdiff_t i = row * problem.side + column;
         Colour value, by_image;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -304,18 +322,16 @@ PATINA_INLINE void shade_backward(const ShadingProblem& problem, const Layout& l
 void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                   const Planes& image) {
   check(problem);
-  if (has_one_lobe(problem)) return shade(problem, OneLobe{}, begin, end, image);
-  shade(problem, AnyLobes{problem.fields.size(), problem.lobes}, begin, end, image);
+  with_layout(problem, [&](const auto& layout) { shade(problem, layout, begin, end, image); });
 }
 
 void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                            const ConstPlanes& image, const ConstPlanes& image_gradient,
                            ShadingGradient& gradient) {
   check(problem);
-  if (has_one_lobe(problem))
-    return shade_backward(problem, OneLobe{}, begin, end, image, image_gradient, gradient);
-  shade_backward(problem, AnyLobes{problem.fields.size(), problem.lobes}, begin, end, image, image_gradient,
-                 gradient);
+  with_layout(problem, [&](const auto& layout) {
+    shade_backward(problem, layout, begin, end, image, image_gradient, gradient);
+  });
 }
 
 }  // namespace patina::PATINA_TARGET

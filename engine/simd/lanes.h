@@ -100,8 +100,8 @@ PATINA_INLINE Lanes sqrt(const Lanes& x) {
   return root;
 }
 
-/// 2^x for x in [-126, 127], relative error below 3e-7: the nearest whole power times a polynomial of the rest,
-/// which is the best of its degree (as log2's is, of those without a constant).
+/// 2^x for x in [-126, 127], relative error below 3e-7: the nearest whole power times a polynomial of the
+/// rest, which is the best of its degree (as log2's is, of those without a constant).
 PATINA_INLINE Lanes exp2(const Lanes& x) {
   constexpr float kRound = 12582912;  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
   const Lanes shifted = x + kRound;

@@ -39,9 +39,11 @@ std::vector<double> medians(const std::vector<std::function<void()>>& works, int
   return result;
 }
 
-/// The tensors of a surface as leaves that ask for a gradient; what lobes share stays shared.
+/// The tensors of a surface as leaves that ask for a gradient if those do; what lobes share stays shared.
 Surface as_leaves(Surface surface) {
-  const auto leaf = [](const at::Tensor& tensor) { return tensor.detach().clone().set_requires_grad(true); };
+  const auto leaf = [](const at::Tensor& tensor) {
+    return tensor.requires_grad() ? tensor.detach().clone().set_requires_grad(true) : tensor;
+  };
   const at::Tensor normal = leaf(surface.normal);
   for (Lobe& lobe : surface.lobes) {
     lobe.normal = lobe.normal.is_same(surface.normal) ? normal : leaf(lobe.normal);

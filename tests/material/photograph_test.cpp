@@ -6,6 +6,7 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/rand.h>
 #include <ATen/ops/randn.h>
+#include <ATen/ops/randn_like.h>
 #include <ATen/ops/tensor.h>
 #include <gtest/gtest.h>
 
@@ -115,18 +116,27 @@ TEST(Photograph, EqualsItselfOnAnyNumberOfThreads) {
   EXPECT_LT(largest((gradient(1) - gradient(2)) / gradient(1)), 1e-4);
 }
 
+using NormalsOf = at::Tensor (*)(const at::Tensor& height, double pixel_cm);
+
+/// That both ways give the same normals of a side x side heightfield, and the same gradients.
+void expect_equal(NormalsOf in_one_pass, NormalsOf by_tensors, std::int64_t side) {
+  const at::Tensor height = at::randn({side, side}, at::kDouble) * 0.05;
+  const at::Tensor fast = height.to(at::kFloat).set_requires_grad(true);
+  const at::Tensor precise = height.clone().set_requires_grad(true);
+  const at::Tensor once = in_one_pass(fast, 0.11), again = by_tensors(precise, 0.11);
+  ASSERT_EQ(once.sizes(), again.sizes());
+  EXPECT_LT(largest(once - again), 1e-6);
+  const at::Tensor weights = at::randn_like(again);
+  (once * weights.to(at::kFloat)).sum().backward();
+  (again * weights).sum().backward();
+  EXPECT_LT(largest(fast.grad() - precise.grad()), 1e-5 * largest(precise.grad()));
+}
+
 TEST(Normals, InOnePassEqualThoseByTensorOperationsAndSoDoTheirGradients) {
   at::manual_seed(2);
-  for (const std::int64_t n : {16, 33}) {
-    const at::Tensor height = at::randn({n + 1, n + 1}, at::kDouble) * 0.05;
-    const at::Tensor weights = at::randn({3, n, n}, at::kDouble);
-    const at::Tensor fast = height.to(at::kFloat).set_requires_grad(true);
-    const at::Tensor precise = height.clone().set_requires_grad(true);
-    const at::Tensor once = open_normals(fast, 0.11), again = open_normals_by_tensors(precise, 0.11);
-    EXPECT_LT(largest(once - again), 1e-6);
-    (once * weights.to(at::kFloat)).sum().backward();
-    (again * weights).sum().backward();
-    EXPECT_LT(largest(fast.grad() - precise.grad()), 1e-5 * largest(precise.grad()));
+  for (const std::int64_t n : {2, 16, 33}) {
+    expect_equal(open_normals, open_normals_by_tensors, n + 1);
+    expect_equal(heightfield_normals, heightfield_normals_by_tensors, n);
   }
 }
 
