@@ -8,6 +8,7 @@
 #include "engine/io/params_json.h"
 #include "engine/material/off_values.h"
 #include "engine/run/advice.h"
+#include "engine/run/all_alarms.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/verdict.h"
 
@@ -80,11 +81,8 @@ Json map_json(const DrawSource& run, const RunStatus& status) {
   return {{"values", Json::parse(params_to_json(run.table(), *status.best))}, {"lp", number(status.best_lp)}};
 }
 
-/// What the run and its draws say against themselves.
-Alarms all_alarms(const DrawSource& run, const RunSummary& summary) {
-  Alarms alarms = run.status().alarms;
-  alarms.insert(alarms.end(), summary.alarms.begin(), summary.alarms.end());
-  return alarms;
+Alarms alarms_of(const DrawSource& run, const RunSummary& summary) {
+  return all_alarms(run.settings(), run.table(), run.status(), summary);
 }
 
 Json alarms_json(const Alarms& alarms) {
@@ -137,7 +135,7 @@ Json summary_json(const DrawSource& run, const std::vector<Draw>& draws) {
           {"parameters", parameters},
           {"directions", directions},
           {"verdict", verdict(summary)},
-          {"alarms", alarms_json(all_alarms(run, summary))},
+          {"alarms", alarms_json(alarms_of(run, summary))},
           {"advice", advice},
           {"chains", chains}};
 }
@@ -155,7 +153,7 @@ std::string summary_table(const DrawSource& run, const std::vector<Draw>& draws)
             " draws, acceptance " + cell(chain.acceptance, 6) + ", " + std::to_string(chain.divergences) +
             " divergences\n";
   text += verdict(summary) + "\n";
-  for (const Alarm& alarm : all_alarms(run, summary)) text += "Mind: " + alarm.sentence + "\n";
+  for (const Alarm& alarm : alarms_of(run, summary)) text += "Mind: " + alarm.sentence + "\n";
   for (const ParameterAdvice& a : advice_of(run, draws))
     if (!a.sentence.empty()) text += a.sentence + "\n";
   return text;

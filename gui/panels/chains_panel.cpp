@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/run/all_alarms.h"
 #include "gui/panels/run_rules.h"
 #include "gui/run_outlook.h"
 #include "gui/window/theme.h"
@@ -81,16 +82,34 @@ void draw_news(const Session& session, const RunOutlook& outlook,
                const std::optional<StopEvidence>& evidence) {
   const RunStatus& status = session.status();
   const float width = ImGui::GetContentRegionAvail().x;
-  const std::string ended = sentence(status.message);
-  elided_text(is_active(status.phase) ? outlook_text(outlook) : ended.substr(0, ended.find(':')), width,
-              theme::kMuted);
-  if (!is_active(status.phase)) tooltip(ended);
+  if (is_active(status.phase)) {
+    elided_text(outlook_text(outlook), width, theme::kMuted);
+  } else {
+    const std::string ended = sentence(status.message);
+    elided_text(ended.substr(0, ended.find(':')), width, theme::kMuted, ended);
+  }
   if (!evidence) return elided_text("Whether the chains agree shows after warm-up", width, theme::kMuted);
-  elided_text(agreement_text(*evidence), width, theme::kMuted);
-  tooltip(
-      "R-hat tells how far the chains agree on the parameter on which they agree least: 1 is perfect, below "
-      "1.1 is usable.\nNeighbouring steps of a chain resemble each other: so many independent draws are what "
-      "all of them are worth for the parameter that is known least well (ESS).");
+  const std::string agreement = agreement_text(*evidence);
+  elided_text(agreement, width, theme::kMuted,
+              agreement +
+                  "\nR-hat tells how far the chains agree on the parameter on which they agree least: 1 is "
+                  "perfect, below 1.1 is usable.\nNeighbouring steps of a chain resemble each other: so many "
+                  "independent draws are what all of them are worth for the parameter that is known least "
+                  "well (ESS).");
+}
+
+/// What the run says against itself: the first of it, all of it in a tooltip.
+void draw_alarms(const Session& session) {
+  const DrawSource& run = session.run();
+  const RunStatus& status = session.status();
+  const Alarms alarms =
+      session.summary() ? all_alarms(run.settings(), run.table(), status, *session.summary()) : status.alarms;
+  if (alarms.empty()) return;
+  const std::string mind =
+      alarms.size() == 1 ? "Mind: " : "Mind " + std::to_string(alarms.size()) + " things: ";
+  std::string all;
+  for (const Alarm& alarm : alarms) all += (all.empty() ? "" : "\n\n") + alarm.sentence;
+  elided_text(mind + alarms.front().sentence, ImGui::GetContentRegionAvail().x, theme::kWarning, all);
 }
 
 void draw_chain_row(int number, const ChainStatus& chain) {
@@ -191,6 +210,7 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect,
       run_outlook(session.status(), session.run().settings(), evidence, session.seconds_spent());
   draw_progress(outlook, session.status().phase);
   draw_news(session, outlook, evidence);
+  draw_alarms(session);
   const float buttons = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
   draw_chain_table(session.status(), std::max(1.0f, ImGui::GetContentRegionAvail().y - buttons));
   draw_buttons(context, show_costs);

@@ -85,10 +85,14 @@ void muted_text(const std::string& text) {
 
 void elided_text(const std::string& text, float width, ImU32 color) {
   const bool fits = text_width(text) <= width;
+  elided_text(text, width, color, fits ? "" : text);
+}
+
+void elided_text(const std::string& text, float width, ImU32 color, const std::string& more) {
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(fits ? text.c_str() : elided(text, width).c_str());
+  ImGui::TextUnformatted(text_width(text) <= width ? text.c_str() : elided(text, width).c_str());
   ImGui::PopStyleColor();
-  if (!fits) tooltip(text);
+  if (!more.empty()) tooltip(more);
 }
 
 bool mouse_rests_after_click() {

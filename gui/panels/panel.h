@@ -46,6 +46,9 @@ void muted_text(const std::string& text);
 /// One line of text, its middle left out where it is too long for `width`; the whole in a tooltip then.
 void elided_text(const std::string& text, float width, ImU32 color);
 
+/// The same where there is more to say: `more` in a tooltip, always.
+void elided_text(const std::string& text, float width, ImU32 color, const std::string& more);
+
 /// Whether the mouse is still where it clicked: whoever clicked knows, and wants to see what came of it.
 bool mouse_rests_after_click();
 

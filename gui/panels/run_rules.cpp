@@ -49,8 +49,8 @@ bool edit_errors(std::string& errors) {
       "calibrated", "Learnt from simulated photos",
       "Photos are simulated in place of a search, a few hundred or, for a photo that the material cannot "
       "quite make, some 1500: they tell how much its irregularities matter. Then ten thousand draws come at "
-      "once. Of simulated photos intervals of 90 % hold the truth in eight or nine cases of ten; real photos "
-      "are another matter, and renders look less like them");
+      "once. Of simulated photos intervals of 90 % hold the truth in nine cases of ten; real photos are "
+      "another matter, and renders look less like them");
   return errors != before;
 }
 

@@ -1,7 +1,9 @@
+#include <cmath>
 #include <fstream>
 
 #include "engine/io/file.h"
 #include "gui/window/layout.h"
+#include "gui/window/theme.h"
 #include "tests/gui/app_fixture.h"
 
 namespace patina::testing {
@@ -69,6 +71,26 @@ TEST_F(AppPanels, WhatDrawsCostIsShownInABoxUntilEsc) {
   EXPECT_TRUE(app_.costs().visible());
   press(ImGui::GetKeyIndex(ImGuiKey_Escape));
   EXPECT_FALSE(app_.costs().visible());
+}
+
+TEST_F(AppPanels, WhatARunSaysAgainstItselfStandsWithItsChainsInTheColourOfWarnings) {
+  start_run_of({draw(0.4, 0.5, -1)});
+  const auto warning_pixels = [&] {
+    frames(3);
+    const Image panel = part_of(window_->screenshot(), layout().chains);
+    const ImVec4 warning = ImGui::ColorConvertU32ToFloat4(theme::kWarning);
+    int count = 0;
+    for (int row = 0; row < panel.height; ++row)
+      for (int column = 0; column < panel.width; ++column)
+        count += std::abs(panel.at(row, column, 0) - warning.x) +
+                     std::abs(panel.at(row, column, 1) - warning.y) +
+                     std::abs(panel.at(row, column, 2) - warning.z) <
+                 0.1F;
+    return count;
+  };
+  EXPECT_EQ(warning_pixels(), 0);
+  run_->status.alarms = {{"dark", "The photo is almost black: expose it longer."}};
+  EXPECT_GT(warning_pixels(), 50);
 }
 
 TEST_F(AppPanels, SpacePausesAndResumes) {

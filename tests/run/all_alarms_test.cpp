@@ -1,0 +1,68 @@
+#include "engine/run/all_alarms.h"
+
+#include <gtest/gtest.h>
+
+namespace patina {
+namespace {
+
+/// A grain whose place in the texture jumps, and a roughness.
+ParameterTable table() {
+  ParameterTable table;
+  table.material = "small";
+  table.continuous = {{"grain", "", "", {0.5, 0.25, 0, 1}}, {"rough", "", "", {0.5, 0.25, 0, 1}}};
+  table.continuous[0].jagged = true;
+  return table;
+}
+
+RunSummary summary_of(double rhat, std::int64_t draws_of_each) {
+  RunSummary summary;
+  QuantitySummary grain;
+  grain.name = "grain";
+  grain.rhat = rhat;
+  grain.bulk_ess = grain.tail_ess = 900;
+  grain.sd_over_prior_sd = 0.2;
+  summary.quantities = {grain};
+  for (int k = 0; k < 4; ++k) {
+    summary.chains.emplace_back();
+    summary.chains.back().chain = k;
+    summary.chains.back().draws = draws_of_each;
+  }
+  return summary;
+}
+
+TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
+  const std::optional<Alarm> alarm = apart_alarm({}, table(), summary_of(1.3, kEnoughDraws));
+  ASSERT_TRUE(alarm);
+  for (const char* part : {"1.30", "grain", "--errors calibrated"})
+    EXPECT_NE(alarm->sentence.find(part), std::string::npos) << part << " in: " << alarm->sentence;
+}
+
+TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) {
+  const RunSummary apart = summary_of(1.3, kEnoughDraws);
+  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.04, kEnoughDraws))) << "chains agree";
+  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.3, kEnoughDraws - 1))) << "too few draws";
+  RunSettings settings;
+  settings.errors = "calibrated";
+  EXPECT_FALSE(apart_alarm(settings, table(), apart)) << "it is done already";
+  settings = {};
+  settings.fixed["grain"] = 0.5;
+  EXPECT_FALSE(apart_alarm(settings, table(), apart)) << "the grain stays where it is";
+  ParameterTable smooth = table();
+  smooth.continuous[0].jagged = false;
+  EXPECT_FALSE(apart_alarm({}, smooth, apart)) << "more draws help";
+}
+
+TEST(AllAlarms, AreTheRunsThoseOfTheDrawsAndThatChainsAreApart) {
+  RunSummary summary = summary_of(1.3, kEnoughDraws);
+  summary.alarms = {{"bound", "Of the draws."}};
+  RunStatus status;
+  status.alarms = {{"dark", "Of the photo."}};
+  const Alarms alarms = all_alarms({}, table(), status, summary);
+  ASSERT_EQ(alarms.size(), 3u);
+  EXPECT_EQ(alarms[0].name, "dark");
+  EXPECT_EQ(alarms[1].name, "bound");
+  EXPECT_EQ(alarms[2].name, "apart");
+}
+
+}  // namespace
+}  // namespace patina
