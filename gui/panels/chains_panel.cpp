@@ -98,12 +98,23 @@ void draw_news(const Session& session, const RunOutlook& outlook,
                   "well (ESS).");
 }
 
+/// Whether the draws are worth listening to: at first chains are missing, and what moves slowly looks stuck.
+bool can_be_judged(const Session& session) {
+  constexpr std::int64_t kFewest = 100;  // draws of each chain
+  if (!session.summary()) return false;
+  const std::vector<ChainSummary>& chains = session.summary()->chains;
+  return is_over(session.status().phase) ||
+         (std::ssize(chains) == session.run().settings().chains &&
+          std::ranges::all_of(chains, [](const ChainSummary& chain) { return chain.draws >= kFewest; }));
+}
+
 /// What the run says against itself: the first of it, all of it in a tooltip.
 void draw_alarms(const Session& session) {
   const DrawSource& run = session.run();
   const RunStatus& status = session.status();
-  const Alarms alarms =
-      session.summary() ? all_alarms(run.settings(), run.table(), status, *session.summary()) : status.alarms;
+  const Alarms alarms = can_be_judged(session)
+                            ? all_alarms(run.settings(), run.table(), status, *session.summary())
+                            : status.alarms;
   if (alarms.empty()) return;
   const std::string mind =
       alarms.size() == 1 ? "Mind: " : "Mind " + std::to_string(alarms.size()) + " things: ";
