@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookInterval(200);
 
-/// Its values are handed to the material of this program, which must be the one that they were drawn for.
-void check_material(const Manifest& manifest) {
+/// Its values are handed to the material of this program, which must be the one that they were drawn for, and
+/// which tells of its parameters what a manifest does not.
+void recognise_material(Manifest& manifest) {
   const ParameterTable known = material_table(manifest.table.material);
   bool same = column_names(known) == column_names(manifest.table);
   for (std::size_t i = 0; same && i < known.discrete.size(); ++i)
@@ -25,6 +26,10 @@ void check_material(const Manifest& manifest) {
   if (!same)
     throw UserError("The run was made with another version of the material " + known.material + " (by " +
                     manifest.program + "): open it with that version.");
+  for (std::size_t i = 0; i < known.continuous.size(); ++i) {
+    manifest.table.continuous[i].jagged = known.continuous[i].jagged;
+    manifest.table.continuous[i].place = known.continuous[i].place;
+  }
 }
 
 }  // namespace
@@ -36,7 +41,7 @@ RunReader::RunReader(const std::filesystem::path& directory, std::size_t portion
       photo_(read_run_photo(directory)),
       chains_(static_cast<std::size_t>(manifest_.settings.chains)),
       writer_lives_(is_locked(lock_file(directory))) {
-  check_material(manifest_);
+  recognise_material(manifest_);
 }
 
 std::vector<Draw> RunReader::take_draws() {
@@ -65,6 +70,7 @@ void RunReader::read_again() {
                     now.photo_sha256 == manifest_.photo_sha256 &&
                     column_names(now.table) == column_names(manifest_.table);
   if (!same) throw UserError("Another run has been put in " + directory_.string() + ": open it again.");
+  recognise_material(now);
   manifest_ = std::move(now);
 }
 

@@ -108,7 +108,7 @@ bool can_be_judged(const Session& session) {
           std::ranges::all_of(chains, [](const ChainSummary& chain) { return chain.draws >= kFewest; }));
 }
 
-/// What the run says against itself: the first of it, all of it in a tooltip.
+/// What the run says against itself: the beginning of the first, all of it in a tooltip.
 void draw_alarms(const Session& session) {
   const DrawSource& run = session.run();
   const RunStatus& status = session.status();
@@ -120,7 +120,9 @@ void draw_alarms(const Session& session) {
       alarms.size() == 1 ? "Mind: " : "Mind " + std::to_string(alarms.size()) + " things: ";
   std::string all;
   for (const Alarm& alarm : alarms) all += (all.empty() ? "" : "\n\n") + alarm.sentence;
-  elided_text(mind + alarms.front().sentence, ImGui::GetContentRegionAvail().x, theme::kWarning, all);
+  const std::string& first = alarms.front().sentence;
+  elided_text(mind + first.substr(0, first.find(':')), ImGui::GetContentRegionAvail().x, theme::kWarning,
+              all);
 }
 
 void draw_chain_row(int number, const ChainStatus& chain) {

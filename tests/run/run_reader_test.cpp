@@ -46,6 +46,22 @@ std::vector<std::string> endless_fit(const std::string& photo, const std::filesy
           "--draws",      "1000000", "--quiet",    "--out", directory.string()};
 }
 
+TEST_F(OpenRun, KnowsWhichParametersAreJagged) {
+  RunSettings asked = settings();
+  asked.material = "leather";
+  const auto made = start(asked);
+  draws_to_the_end(*made);
+  const auto read = open_run(directory());
+  ASSERT_EQ(read->table().continuous.size(), made->table().continuous.size());
+  int jagged = 0;
+  for (std::size_t i = 0; i < made->table().continuous.size(); ++i) {
+    EXPECT_EQ(read->table().continuous[i].jagged, made->table().continuous[i].jagged);
+    EXPECT_EQ(read->table().continuous[i].place, made->table().continuous[i].place);
+    jagged += made->table().continuous[i].jagged;
+  }
+  EXPECT_GT(jagged, 0);
+}
+
 TEST_F(OpenRun, ReadsBackAllThatAFinishedRunIs) {
   RunSettings asked = settings();
   asked.fixed["iSigma"] = 12;
