@@ -32,7 +32,7 @@ class Rows {
         stride_(height.size(0)),
         open_(border == Border::open),
         n_(open_ ? stride_ - 1 : stride_),
-        buffer_(static_cast<std::size_t>(n_) + 1) {}
+        buffer_(open_ ? 0 : static_cast<std::size_t>(n_) + 1) {}
 
   std::int64_t n() const { return n_; }
   float* above(std::int64_t row) const { return data_ + (open_ ? row : (row + n_ - 1) % n_) * stride_; }
@@ -64,14 +64,14 @@ class Rows {
   std::int64_t stride_;
   bool open_;
   std::int64_t n_;
-  std::vector<float> buffer_;
+  std::vector<float> buffer_;  ///< a periodic row and its first height again
 };
 
 /// Both kinds of normals in float32, one pass over the pixels each way. First derivatives only.
 struct Normals : torch::autograd::Function<Normals> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& height, double pixel_cm, bool open) {
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& height, double pixel_cm,
+                            Border border) {
     constexpr std::int64_t kRowsWorthAThread = 32;
-    const Border border = open ? Border::open : Border::periodic;
     const std::int64_t n = Rows(height, border).n();
     const at::Tensor normal = at::empty({3, n, n}, height.options());
     const auto per_pixel = static_cast<float>(1 / pixel_cm);
@@ -82,7 +82,7 @@ struct Normals : torch::autograd::Function<Normals> {
     });
     context->save_for_backward({height});
     context->saved_data["pixel_cm"] = pixel_cm;
-    context->saved_data["open"] = open;
+    context->saved_data["open"] = border == Border::open;
     return normal;
   }
 
@@ -113,7 +113,8 @@ struct Normals : torch::autograd::Function<Normals> {
 }  // namespace
 
 at::Tensor heightfield_normals(const at::Tensor& height, double pixel_cm) {
-  if (height.scalar_type() == at::kFloat) return Normals::apply(height.contiguous(), pixel_cm, false);
+  if (height.scalar_type() == at::kFloat)
+    return Normals::apply(height.contiguous(), pixel_cm, Border::periodic);
   return heightfield_normals_by_tensors(height, pixel_cm);
 }
 
@@ -125,7 +126,7 @@ at::Tensor heightfield_normals_by_tensors(const at::Tensor& height, double pixel
 }
 
 at::Tensor open_normals(const at::Tensor& height, double pixel_cm) {
-  if (height.scalar_type() == at::kFloat) return Normals::apply(height.contiguous(), pixel_cm, true);
+  if (height.scalar_type() == at::kFloat) return Normals::apply(height.contiguous(), pixel_cm, Border::open);
   return open_normals_by_tensors(height, pixel_cm);
 }
 

@@ -14,8 +14,8 @@ at::Tensor heightfield_normals(const at::Tensor& height, double pixel_cm);
 /// @param height [n + 1, n + 1] with neighbours, as look_up() (look_up.h) returns it   @return [3, n, n]
 at::Tensor open_normals(const at::Tensor& height, double pixel_cm);
 
-/// The same out of tensor operations, in any precision: what these two are for doubles, and what their float32
-/// kernel is tested against.
+/// The same out of tensor operations, in any precision: what these two are for doubles, and what their
+/// float32 kernel is tested against.
 at::Tensor heightfield_normals_by_tensors(const at::Tensor& height, double pixel_cm);
 at::Tensor open_normals_by_tensors(const at::Tensor& height, double pixel_cm);
 

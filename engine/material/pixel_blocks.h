@@ -33,9 +33,9 @@ void over_blocks(std::int64_t pixels, const F& f) {
 /// Of rows of `side` pixels, as many as come near kBlock.
 inline std::int64_t rows_of_a_block(std::int64_t side) { return std::max<std::int64_t>(1, kBlock / side); }
 
-/// Calls f(begin, end, sums) for each block of `size` pixels, or rows; f adds to `summed` sums of its block's.
-/// A block's stand for themselves until all are done: the totals, which are returned, do not depend on the
-/// threads.
+/// Calls f(begin, end, sums) for each block of `size` pixels, or rows; f adds to `summed` sums of its
+/// block's. A block's stand for themselves until all are done: the totals, which are returned, do not depend
+/// on the threads.
 template <class F>
 std::vector<double> sums_over_blocks(std::int64_t count, std::int64_t size, std::size_t summed, const F& f) {
   std::vector<double> sums(static_cast<std::size_t>(blocks_of(count, size)) * summed), totals(summed);

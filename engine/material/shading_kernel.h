@@ -29,8 +29,8 @@ struct LobeFields {
   bool operator==(const LobeFields&) const = default;
 };
 
-/// A surface and the light on it as flat arrays of side x side pixels, for shade() and display() (shading.h) in
-/// one pass without a tensor in between.
+/// A surface and the light on it as flat arrays of side x side pixels, for shade() and display() (shading.h)
+/// in one pass without a tensor in between.
 struct ShadingProblem {
   std::ptrdiff_t side;
   const float* offset;            ///< of `side` columns and, negated, rows (CaptureView)
@@ -57,8 +57,8 @@ using ConstPlanes = std::array<const float*, 3>;
 void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                   const Planes& image);
 
-/// The gradient of a scalar by everything in the problem, given that by rows of the image: planes are written,
-/// sums added to.
+/// The gradient of a scalar by everything in the problem, given that by rows of the image: planes are
+/// written, sums added to.
 /// @param image  what shade_pixels() made: the display curve's slope follows from its value without a power
 void shade_pixels_backward(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,
                            const ConstPlanes& image, const ConstPlanes& image_gradient,

@@ -19,9 +19,9 @@ bool is_wrinkled(const RunSettings& settings, const ParameterTable& table) {
 std::optional<Alarm> apart_alarm(const RunSettings& settings, const ParameterTable& table,
                                  const RunSummary& summary) {
   const bool enough = std::ranges::all_of(
-      summary.chains, [](const ChainSummary& chain) { return chain.draws >= kEnoughDraws; });
+      summary.chains, [](const ChainSummary& chain) { return chain.draws >= kApartDraws; });
   const QuantitySummary* worst = furthest_from_good(summary);
-  if (!is_wrinkled(settings, table) || !enough || worst == nullptr || !(worst->rhat > kApart))
+  if (!is_wrinkled(settings, table) || !enough || worst == nullptr || !(worst->rhat > kApartRhat))
     return std::nullopt;
   return Alarm{"apart", "Chains sit in matches of their own (R-hat " + format("%.2f", worst->rhat) + " of " +
                             worst->name + "): places of the texture that look alike each make one. Errors " +

@@ -15,13 +15,13 @@ namespace patina {
 Alarms all_alarms(const RunSettings& settings, const ParameterTable& table, const RunStatus& status,
                   const RunSummary& summary);
 
-/// "apart": after kEnoughDraws of each, chains still sit in places of their own, in a run given one draw of
+/// "apart": after kApartDraws of each, chains still sit in places of their own, in a run given one draw of
 /// the irregularities where the material has free jagged parameters: every place of its texture may then be a
 /// match for itself. Errors that average over the irregularities have no such matches (resources/charts).
 std::optional<Alarm> apart_alarm(const RunSettings& settings, const ParameterTable& table,
                                  const RunSummary& summary);
 
-constexpr int kEnoughDraws = 500;
-constexpr double kApart = 1.05;  ///< R-hat
+constexpr int kApartDraws = 500;
+constexpr double kApartRhat = 1.05;
 
 }  // namespace patina

@@ -77,6 +77,9 @@ void draw_reading(const PanelContext& context) {
   tooltip("Close this run; nothing in its directory changes");
 }
 
+/// What a sentence says before it explains.
+std::string beginning(const std::string& sentence) { return sentence.substr(0, sentence.find(':')); }
+
 /// Below the bar: when the run will end, or why it has; then how far the chains agree.
 void draw_news(const Session& session, const RunOutlook& outlook,
                const std::optional<StopEvidence>& evidence) {
@@ -86,7 +89,7 @@ void draw_news(const Session& session, const RunOutlook& outlook,
     elided_text(outlook_text(outlook), width, theme::kMuted);
   } else {
     const std::string ended = sentence(status.message);
-    elided_text(ended.substr(0, ended.find(':')), width, theme::kMuted, ended);
+    elided_text(beginning(ended), width, theme::kMuted, ended);
   }
   if (!evidence) return elided_text("Whether the chains agree shows after warm-up", width, theme::kMuted);
   const std::string agreement = agreement_text(*evidence);
@@ -120,8 +123,7 @@ void draw_alarms(const Session& session) {
       alarms.size() == 1 ? "Mind: " : "Mind " + std::to_string(alarms.size()) + " things: ";
   std::string all;
   for (const Alarm& alarm : alarms) all += (all.empty() ? "" : "\n\n") + alarm.sentence;
-  const std::string& first = alarms.front().sentence;
-  elided_text(mind + first.substr(0, first.find(':')), ImGui::GetContentRegionAvail().x, theme::kWarning,
+  elided_text(mind + beginning(alarms.front().sentence), ImGui::GetContentRegionAvail().x, theme::kWarning,
               all);
 }
 

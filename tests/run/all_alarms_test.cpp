@@ -31,16 +31,16 @@ RunSummary summary_of(double rhat, std::int64_t draws_of_each) {
 }
 
 TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
-  const std::optional<Alarm> alarm = apart_alarm({}, table(), summary_of(1.3, kEnoughDraws));
+  const std::optional<Alarm> alarm = apart_alarm({}, table(), summary_of(1.3, kApartDraws));
   ASSERT_TRUE(alarm);
   for (const char* part : {"1.30", "grain", "--errors calibrated"})
     EXPECT_NE(alarm->sentence.find(part), std::string::npos) << part << " in: " << alarm->sentence;
 }
 
 TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) {
-  const RunSummary apart = summary_of(1.3, kEnoughDraws);
-  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.04, kEnoughDraws))) << "chains agree";
-  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.3, kEnoughDraws - 1))) << "too few draws";
+  const RunSummary apart = summary_of(1.3, kApartDraws);
+  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.04, kApartDraws))) << "chains agree";
+  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.3, kApartDraws - 1))) << "too few draws";
   RunSettings settings;
   settings.errors = "calibrated";
   EXPECT_FALSE(apart_alarm(settings, table(), apart)) << "it is done already";
@@ -53,7 +53,7 @@ TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) 
 }
 
 TEST(AllAlarms, AreTheRunsThoseOfTheDrawsAndThatChainsAreApart) {
-  RunSummary summary = summary_of(1.3, kEnoughDraws);
+  RunSummary summary = summary_of(1.3, kApartDraws);
   summary.alarms = {{"bound", "Of the draws."}};
   RunStatus status;
   status.alarms = {{"dark", "Of the photo."}};
