@@ -175,8 +175,10 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
                               .camera = settings_.camera,
                               .seed = seed,
                               .guess = guess_};
-    const Calibration found = calibrate(
-        simulator, example.photo, [&]() -> const Pilot& { return pilot(); }, settings_.simulations);
+    const OnDemand on_demand{
+        .pilot = [&]() -> const Pilot& { return pilot(); },
+        .match = [&] { return search(example.posterior, rng).best.position.continuous; }};
+    const Calibration found = calibrate(simulator, example.photo, on_demand, settings_.simulations);
     return calibrated(found, example.posterior, settings_, outcome);
   };
   const Target target = target_of();

@@ -54,7 +54,14 @@ std::vector<std::unique_ptr<LogDensity>> PhotoProblem::targets(const ChartSettin
 
 ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed,
                                          const std::function<void()>& simulated) const {
-  CalibratedMode found = learn_errors(*posterior_, photo_, settings_.capture, seed, simulated);
+  const auto match = [&] {
+    Rng rng(seed, 0);
+    MapSearchSettings search;
+    search.threads = hardware_threads();
+    search.enter_thread = [] { use_tensor_threads(1); };
+    return search_map({posterior_.get()}, rng, search).best.position;
+  };
+  CalibratedMode found = learn_errors(*posterior_, photo_, settings_.capture, seed, simulated, match);
   return {std::make_unique<Posterior>(posterior_->with(found.errors.likelihood)), std::move(found.mode),
           std::move(found.laplace)};
 }

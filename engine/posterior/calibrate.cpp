@@ -15,19 +15,47 @@ namespace {
 
 /// What a photo is compared by before any is simulated for it, and where the first round's are.
 struct FirstLook {
-  const Scores* scores;  ///< null: guesses are the scores
-  Eigen::VectorXd seen;  ///< the photo's scores
+  std::optional<Scores> scores;  ///< none: guesses are the scores
+  Eigen::VectorXd seen;          ///< the photo's scores
   Region region;
 };
 
 FirstLook first_look(const Pilot& pilot, const Eigen::VectorXd& summary) {
   Eigen::VectorXd seen = pilot.scores()(summary);
   Region region = pilot.region(seen);
-  return {&pilot.scores(), std::move(seen), std::move(region)};
+  return {pilot.scores(), std::move(seen), std::move(region)};
 }
 
 FirstLook first_look(const Region& guess) {
-  return {nullptr, guess.centre, region_around(guess.centre, guess.factor * guess.factor.transpose(), guess)};
+  return {{}, guess.centre, region_around(guess.centre, guess.factor * guess.factor.transpose(), guess)};
+}
+
+/// Six for each coefficient of the regressions, on a constant and two scores a coordinate. Of 100 photos of
+/// wood, which has 23 coordinates, 90 % intervals held 82 % of the truths with 150 photos a round, and 86 %
+/// with 282 and shrunk correlations; with 564 as often as with 282 (75 photos), so that what wood lacks is
+/// not number.
+int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates) {
+  return std::max(settings.round, 6 * (1 + 2 * static_cast<int>(coordinates)));
+}
+
+/// What summaries of photos say of their places.
+Scores teach(const Simulator& simulator, const SimulatedPhotos& photos, const Compression& compression) {
+  if (simulator.discrepancy == 0) return {photos.offsets, photos.summaries, compression};
+  return {photos.offsets, photos.summaries, {.sds = simulator.errors(), .drawn = photos.errors}};
+}
+
+/// About the best match, as far as half the prior's width reaches.
+FirstLook first_look(const Simulator& simulator, const Eigen::VectorXd& match,
+                     const CalibrationSettings& settings) {
+  const Posterior& posterior = simulator.posterior;
+  const auto informed = posterior.informed();
+  const Eigen::Index dimension = std::ssize(informed);
+  const Region region =
+      region_around(match(informed), Eigen::MatrixXd::Zero(dimension, dimension), prior_region(dimension));
+  const SimulatedPhotos photos = simulate(simulator, region, photos_a_round(settings, dimension), 0);
+  Scores scores = teach(simulator, photos, Compression());
+  Eigen::VectorXd seen = scores(posterior.photo_summary());
+  return {std::move(scores), std::move(seen), region};
 }
 
 Eigen::MatrixXd stacked(const Eigen::MatrixXd& above, const Eigen::MatrixXd& below) {
@@ -66,14 +94,6 @@ bool settled(const Region& region, const Eigen::VectorXd& mode, const Eigen::Mat
 bool out_of_reach(const PhotoFit& fit, int round) {
   constexpr double kFurthest = 3;  // photos that the material can make are at 1 to 2
   return round > 2 && fit.distance > kFurthest;
-}
-
-/// Six for each coefficient of the regressions, on a constant and two scores a coordinate. Of 100 photos of
-/// wood, which has 23 coordinates, 90 % intervals held 82 % of the truths with 150 photos a round, and 86 %
-/// with 282 and shrunk correlations; with 564 as often as with 282 (75 photos), so that what wood lacks is
-/// not number.
-int photos_a_round(const CalibrationSettings& settings, Eigen::Index coordinates) {
-  return std::max(settings.round, 6 * (1 + 2 * static_cast<int>(coordinates)));
 }
 
 /// Of freedom, of the t that errors are taken for in the end: the dozen or two photos that say how much
@@ -115,26 +135,24 @@ Calibration in_rounds(const Simulator& simulator, const FirstLook& first,
       result.likelihood = result.likelihood.heavy_tailed(kDegrees);
       return result;
     }
-    taught.emplace(simulated.offsets, simulated.summaries, compression);
+    taught = teach(simulator, simulated, compression);
     region = region_around(mode, covariance, region);
   }
 }
 
 }  // namespace
 
-Calibration calibrate(const Simulator& simulator, const Image& photo,
-                      const std::function<const Pilot&()>& pilot, const CalibrationSettings& settings) {
-  const Eigen::VectorXd summary = simulator.posterior.photo_summary();
-  const FirstLook first =
-      simulator.guess ? first_look(simulator.guess.region(photo)) : first_look(pilot(), summary);
+Calibration calibrate(const Simulator& simulator, const Image& photo, const OnDemand& on_demand,
+                      const CalibrationSettings& settings) {
+  const FirstLook first = simulator.guess
+                              ? first_look(simulator.guess.region(photo))
+                              : first_look(on_demand.pilot(), simulator.posterior.photo_summary());
   Calibration exact = in_rounds(simulator, first, settings);
   if (exact.fit.p > kRare) return exact;
-  // A guess may be far off where photos are off by more than irregularities, and does not know by how much.
   Simulator rough = simulator;
   rough.guess = {};
   rough.discrepancy = 1;
-  const Pilot rough_pilot = pilot().with_discrepancy(rough);
-  Calibration result = in_rounds(rough, first_look(rough_pilot, summary), settings);
+  Calibration result = in_rounds(rough, first_look(rough, on_demand.match(), settings), settings);
   result.fit.discrepancy = rough.discrepancy;
   result.photos += exact.photos;
   return result;

@@ -28,16 +28,23 @@ struct Calibration {
   int photos = 0;              ///< that were simulated, the pilot's left out
 };
 
+/// What takes a while, and is asked for at most where a photo needs it.
+struct OnDemand {
+  std::function<const Pilot&()> pilot;     ///< where there are no guesses
+  std::function<Eigen::VectorXd()> match;  ///< the mode of the hand-set errors, all coordinates
+};
+
 /// Photos that the material can make are explained by irregularities alone. A photo that is further from
 /// simulated ones than kRare of them are from each other, as real ones often are, is compared with photos
-/// that are off by the hand-set errors as well; what is then still rare widens the errors. In rounds: photos
-/// are simulated about as far as the posterior reaches, by the round before; the likelihood that they make
-/// moves and narrows the posterior; and they say by what scores the next round's are compared, beside the
-/// first round's, which are guesses or, without these and for photos with hand-set errors, a pilot's. It ends
-/// with the second round whose posterior is where, and as wide as, its photos are. Rounds and their normal
-/// approximations take errors for normal, the likelihood that is left has their heavier tails.
-/// @param simulator  of the photo's posterior   @param pilot  is asked for it at most where it is needed
-Calibration calibrate(const Simulator& simulator, const Image& photo,
-                      const std::function<const Pilot&()>& pilot, const CalibrationSettings& settings);
+/// that are off by the hand-set errors as well, about its best match by these: what a material cannot make
+/// misleads guesses. What is then still rare widens the errors. In rounds: photos are simulated about as far
+/// as the posterior reaches, by the round before; the likelihood that they make moves and narrows the
+/// posterior; and they say by what scores the next round's are compared, beside the first round's, which are
+/// guesses, without these a pilot's, or taught by photos about the match. It ends with the second round whose
+/// posterior is where, and as wide as, its photos are. Rounds and their normal approximations take errors for
+/// normal, the likelihood that is left has their heavier tails.
+/// @param simulator  of the photo's posterior
+Calibration calibrate(const Simulator& simulator, const Image& photo, const OnDemand& on_demand,
+                      const CalibrationSettings& settings);
 
 }  // namespace patina

@@ -43,19 +43,12 @@ Simulator without_guess(Simulator simulator) {
 }  // namespace
 
 Pilot::Pilot(const Simulator& simulator, int photos)
-    : Pilot(simulate(without_guess(simulator), prior_region(std::ssize(simulator.posterior.informed())),
-                     photos, kStream),
-            simulator.posterior.moments()) {}
-
-Pilot::Pilot(SimulatedPhotos simulated, const std::vector<bool>& moments)
-    : photos_(std::move(simulated)),
-      scores_(photos_.offsets, photos_.summaries, Compression(photos_.summaries, moments)) {
+    : photos_(simulate(without_guess(simulator), prior_region(std::ssize(simulator.posterior.informed())),
+                       photos, kStream)),
+      scores_(photos_.offsets, photos_.summaries,
+              Compression(photos_.summaries, simulator.posterior.moments())) {
   const Eigen::MatrixXd errors = photos_.offsets - scores_.left_out();
   precision_ = inverse(errors * errors.transpose() / static_cast<double>(errors.cols()));
-}
-
-Pilot Pilot::with_discrepancy(const Simulator& simulator) const {
-  return {patina::with_discrepancy(simulator, photos_, kStream), simulator.posterior.moments()};
 }
 
 Region Pilot::region(const Eigen::VectorXd& scores) const {

@@ -14,9 +14,6 @@ class Pilot {
  public:
   Pilot(const Simulator& simulator, int photos);
 
-  /// The same photos with the simulator's discrepancy.
-  Pilot with_discrepancy(const Simulator& simulator) const;
-
   const Scores& scores() const { return scores_; }
 
   /// About the posterior of a photo with these scores: local linear regression of the places of the simulated
@@ -24,8 +21,6 @@ class Pilot {
   Region region(const Eigen::VectorXd& scores) const;
 
  private:
-  Pilot(SimulatedPhotos simulated, const std::vector<bool>& moments);
-
   SimulatedPhotos photos_;
   Scores scores_;
   Eigen::MatrixXd precision_;  ///< of the scores' errors

@@ -22,20 +22,23 @@ Spectrum::Spectrum(const Eigen::MatrixXd& inputs) {
 }
 
 RidgeFit fit_ridge(const Eigen::VectorXd& target, const Spectrum& spectrum,
-                   const Eigen::VectorXd& mean_leverages) {
+                   const Eigen::VectorXd& mean_leverages, double noise) {
   const auto& [vectors, values] = spectrum;
   const Eigen::VectorXd rotated = vectors.transpose() * target;
-  const double unit = values.sum() / static_cast<double>(target.size());
+  const auto count = static_cast<double>(target.size());
+  const double unit = values.sum() / count;
   RidgeFit best;
   for (const double penalty : kPenalties) {
-    const Eigen::ArrayXd damped = values.array() + penalty * unit;
+    const double damping = penalty * unit + count * noise;
+    const Eigen::ArrayXd damped = values.array() + damping;
     const Eigen::ArrayXd kept = values.array() / damped;
     const Eigen::VectorXd fitted = vectors * (kept * rotated.array()).matrix();
     const Eigen::ArrayXd leverages = (vectors.cwiseAbs2() * kept.matrix() + mean_leverages).array();
     const Eigen::VectorXd errors = (target - fitted).array() / (1 - leverages).max(1e-9);
-    if (errors.squaredNorm() >= best.loss) continue;
-    best = {vectors * (rotated.array() / damped).matrix(), errors, penalty * unit, leverages.mean(),
-            errors.squaredNorm()};
+    const Eigen::ArrayXd dual = rotated.array() / damped;
+    const double loss = errors.squaredNorm() + count * noise * (values.array() * dual.square()).sum();
+    if (loss >= best.loss) continue;
+    best = {vectors * dual.matrix(), errors, damping, leverages.mean(), loss};
   }
   return best;
 }

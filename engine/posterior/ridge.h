@@ -22,11 +22,14 @@ struct RidgeFit {
   Eigen::VectorXd errors;  ///< of each, as predicted by the others
   double damping = 0;      ///< added to the Gram matrix
   double usual_leverage = 0;
-  double loss = std::numeric_limits<double>::infinity();  ///< squared errors
+  double loss = std::numeric_limits<double>::infinity();  ///< squared errors, of noise as well
 };
 
 /// @param target  n   @param mean_leverages  n, of the mean that target and inputs have lost before
+/// @param noise   variance of independent noise that is to be in every input, and is not in these. On average
+///                over it a Gram matrix has n times as much on its diagonal (noise as regularisation: Bishop
+///                1995), and the errors' squares the noise's share
 RidgeFit fit_ridge(const Eigen::VectorXd& target, const Spectrum& spectrum,
-                   const Eigen::VectorXd& mean_leverages);
+                   const Eigen::VectorXd& mean_leverages, double noise = 0);
 
 }  // namespace patina

@@ -23,14 +23,24 @@ Eigen::VectorXi levels_of(const Posterior& posterior, const Irregularities& z) {
   return prior_draw(posterior, rng).discrete;
 }
 
+void add_discrepancy(const Simulator& simulator, std::uint64_t stream, SimulatedPhotos& photos) {
+  const Eigen::VectorXd sds = simulator.errors();
+  Rng rng(simulator.seed, kDiscrepancies + stream);
+  photos.errors.resize(sds.size(), photos.summaries.cols());
+  for (auto errors : photos.errors.colwise()) errors = sds.cwiseProduct(rng.normals(sds.size()));
+  photos.summaries += photos.errors;
+}
+
 }  // namespace
+
+Eigen::VectorXd Simulator::errors() const { return discrepancy * posterior.hand_set_errors(); }
 
 SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int photos, std::uint64_t stream) {
   const Posterior& posterior = simulator.posterior;
   const auto informed = posterior.informed();
   const Eigen::Index entries = posterior.photo_summary().size();
   SimulatedPhotos simulated{region, Eigen::MatrixXd(std::ssize(informed), photos),
-                            Eigen::MatrixXd(entries, photos),
+                            Eigen::MatrixXd(entries, photos), Eigen::MatrixXd(entries, 0),
                             Eigen::MatrixXd(simulator.guess ? std::ssize(informed) : 0, photos)};
   const auto one = [&](Eigen::Index column) {
     const std::uint64_t which = stream * 1'000'000 + static_cast<std::uint64_t>(column);
@@ -56,16 +66,8 @@ SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int p
     parallel_for(passes, simulator.threads, several, simulator.enter_thread);
   else
     for (std::size_t i = 0; i < passes; ++i) several(i);
-  return with_discrepancy(simulator, std::move(simulated), stream);
-}
-
-SimulatedPhotos with_discrepancy(const Simulator& simulator, SimulatedPhotos photos, std::uint64_t stream) {
-  if (simulator.discrepancy == 0) return photos;
-  const Eigen::VectorXd sd = simulator.discrepancy * simulator.posterior.hand_set_errors();
-  Rng rng(simulator.seed, kDiscrepancies + stream);
-  for (Eigen::Index i = 0; i < photos.summaries.cols(); ++i)
-    photos.summaries.col(i) += sd.cwiseProduct(rng.normals(sd.size()));
-  return photos;
+  if (simulator.discrepancy > 0) add_discrepancy(simulator, stream, simulated);
+  return simulated;
 }
 
 }  // namespace patina

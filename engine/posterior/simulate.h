@@ -32,6 +32,7 @@ struct Simulator {
   Guess guess{};
   /// Times the posterior's hand-set errors that photos are off by beside all else, as real ones are.
   double discrepancy = 0;
+  Eigen::VectorXd errors() const;  ///< their sds
 };
 
 /// Photos simulated in a region, each with irregularities of its own. Places are drawn from their prior, and
@@ -39,14 +40,12 @@ struct Simulator {
 struct SimulatedPhotos {
   Region region;
   Eigen::MatrixXd offsets;    ///< v, N(0, I): informed coordinates x n, see Region
-  Eigen::MatrixXd summaries;  ///< entries x n
+  Eigen::MatrixXd summaries;  ///< entries x n, with what the discrepancy has added
+  Eigen::MatrixXd errors;     ///< what it has added, entries x n; none without it
   Eigen::MatrixXd guesses;    ///< by Guess::centre, informed coordinates x n; none without it
 };
 
 /// @param stream  another one for other photos; the same gives the same ones, whatever their discrepancy
 SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int photos, std::uint64_t stream);
-
-/// Those that have no discrepancy yet with the simulator's.
-SimulatedPhotos with_discrepancy(const Simulator& simulator, SimulatedPhotos photos, std::uint64_t stream);
 
 }  // namespace patina

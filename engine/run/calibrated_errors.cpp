@@ -50,7 +50,8 @@ bool fits(const CalibratedErrors& errors, const Posterior& posterior) {
 }
 
 CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, const Capture& capture,
-                            std::uint64_t seed, const std::function<void()>& simulated) {
+                            std::uint64_t seed, const std::function<void()>& simulated,
+                            const std::function<Position()>& match) {
   const CalibrationSettings amount;
   const auto pool = make_pool(posterior.table(), kSimulatedSeeds);
   const Simulator simulator{.posterior = posterior,
@@ -62,8 +63,9 @@ CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, cons
                             .simulated = simulated,
                             .guess = region_guess(posterior, capture)};
   std::optional<Pilot> pilot;
-  const auto made = [&]() -> const Pilot& { return pilot ? *pilot : pilot.emplace(simulator, amount.pilot); };
-  Calibration found = calibrate(simulator, photo, made, amount);
+  const OnDemand on_demand{.pilot = [&]() -> const Pilot& { return pilot.emplace(simulator, amount.pilot); },
+                           .match = [&] { return match().continuous; }};
+  Calibration found = calibrate(simulator, photo, on_demand, amount);
   CalibratedErrors errors{std::make_shared<const RegressedLikelihood>(std::move(found.likelihood)),
                           found.fit};
   const Posterior calibrated = posterior.with(errors.likelihood);
@@ -74,9 +76,10 @@ CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, cons
 }
 
 CalibratedMode calibrate_errors(const Posterior& posterior, const Image& photo, const RunSettings& settings,
-                                RunShared& shared) {
+                                RunShared& shared, const std::function<Position()>& match) {
   Progress progress(shared);
-  return learn_errors(posterior, photo, settings.capture, settings.seed, [&] { progress(); });
+  return learn_errors(
+      posterior, photo, settings.capture, settings.seed, [&] { progress(); }, match);
 }
 
 }  // namespace patina

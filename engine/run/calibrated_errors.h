@@ -38,12 +38,15 @@ struct CalibratedMode {
 /// On all processors.
 /// @param seed       of what is simulated   @param simulated  called after each photo, from any thread; what
 ///                   it throws ends the simulations
+/// @param match      searches for the best match by hand-set errors, for a photo that is not like simulated
+///                   ones
 CalibratedMode learn_errors(const Posterior& posterior, const Image& photo, const Capture& capture,
-                            std::uint64_t seed, const std::function<void()>& simulated);
+                            std::uint64_t seed, const std::function<void()>& simulated,
+                            const std::function<Position()>& match);
 
 /// learn_errors() of a run, whose status it keeps up to date.
 /// @throws RunStopped
 CalibratedMode calibrate_errors(const Posterior& posterior, const Image& photo, const RunSettings& settings,
-                                RunShared& shared);
+                                RunShared& shared, const std::function<Position()>& match);
 
 }  // namespace patina

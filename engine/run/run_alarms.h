@@ -15,13 +15,15 @@ namespace patina {
 /// What a run can say against itself before its first draw:
 ///   "dark", "burnt out", "clipped", "blank", "off centre"  see photo_alarms()
 ///   "noise"   see noise_alarm()
-///   "misfit"  see misfit_alarm()
+///   "misfit"  see misfit_alarm(), or fit_alarm()
+///   "colours"  see colour_alarm()
 ///   "strained"  see strain_alarm()
 ///   "coarse"  see coarse_alarm()
 /// Takes kNoiseRepeats evaluations.
 /// @param finer  the best match at more pixels than the run's
 /// @param fixed  parameters that are held, by name
-/// @param fit    of calibrated errors: "misfit" is then fit_alarm()'s, too
+/// @param fit    of calibrated errors: "misfit" is then fit_alarm()'s, or, if irregularities alone explain
+///               the photo, there are "colours" in its place
 Alarms run_alarms(const Image& photo, const Posterior& posterior, const Position& best, const Image& finer,
                   const std::map<std::string, double>& fixed, const std::optional<PhotoFit>& fit);
 
@@ -29,6 +31,11 @@ constexpr int kNoiseRepeats = 20;
 
 /// The best match is further from the photo than kFar times the error that the model is granted.
 std::optional<Alarm> misfit_alarm(const std::vector<BlockMisfit>& misfits);
+
+/// The best match's mean colours are further from the photo's than kFar times the error that the model is
+/// granted. Irregularities, which make textures differ, hardly move them, but among thousands of entries that
+/// say a photo is like simulated ones they are few.
+std::optional<Alarm> colour_alarm(std::vector<BlockMisfit> misfits);
 
 /// The photo is further from simulated photos, off by the hand-set errors as they are, than all but kRare
 /// of them.

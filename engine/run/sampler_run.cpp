@@ -303,12 +303,21 @@ ModeFound SamplerRun::calibrate() {
   keep_the_finest();
   // There is something to see while photos are simulated.
   if (const auto guessed = guesses(); !guessed.empty()) show(guessed.front());
-  CalibratedMode calibrated = calibrate_errors(*posteriors_.back(), photo_, settings_, shared_);
+  CalibratedMode calibrated =
+      calibrate_errors(*posteriors_.back(), photo_, settings_, shared_, [this] { return coarse_match(); });
   use(calibrated.errors);
   show(calibrated.mode.position);
   return {.mode = std::move(calibrated.mode),
           .laplace = std::move(calibrated.laplace),
           .errors = std::move(calibrated.errors)};
+}
+
+Position SamplerRun::coarse_match() {
+  std::vector<std::unique_ptr<Posterior>> coarse;
+  coarse.push_back(
+      std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
+  const auto keep_best = [this](const MapPoint& best) { keep(best); };
+  return find_mode(coarse, settings_, guesses(), shared_, keep_best).mode.position;
 }
 
 void SamplerRun::show(const Position& position) {

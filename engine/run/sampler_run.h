@@ -58,7 +58,8 @@ class SamplerRun final : public DrawSource {
   ModeFound with_proposals(ModeFound found);  ///< learns what its chains are proposed by, if they are
   void check_is_where_it_was() const;         ///< @throws UserError
   void keep_the_finest();
-  ModeFound calibrate();  ///< in place of a search: the photos of the prior that it begins with are one
+  ModeFound calibrate();    ///< in place of a search: the photos of the prior that it begins with are one
+  Position coarse_match();  ///< the best match by hand-set errors, at the fewest pixels that show it
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }

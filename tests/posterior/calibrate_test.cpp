@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/material/renderer.h"
+#include "engine/sampling/map_search.h"
 
 namespace patina {
 namespace {
@@ -30,12 +31,22 @@ Image photo_of_prior_location(const std::string& material) {
   return photographed(renderer.render(prior_location(renderer.table()), side), kSmall, rng);
 }
 
+OptimizerResult match_of(const Posterior& posterior) {
+  Rng rng(7);
+  MapSearchSettings settings;
+  settings.prior_draws = 16;
+  settings.descents = 2;
+  settings.finalists = 1;
+  return search_map({&posterior}, rng, settings).best;
+}
+
 Calibration calibration_of(const Posterior& posterior, int threads = 1) {
   const auto pool = make_pool(posterior.table(), 100);
   const Simulator simulator{.posterior = posterior, .pool = *pool, .camera = kSmall, .threads = threads};
   const Pilot pilot(simulator, kFew.pilot);
-  return calibrate(
-      simulator, {}, [&]() -> const Pilot& { return pilot; }, kFew);
+  const OnDemand on_demand{.pilot = [&]() -> const Pilot& { return pilot; },
+                           .match = [&] { return match_of(posterior).position.continuous; }};
+  return calibrate(simulator, {}, on_demand, kFew);
 }
 
 Posterior calibrated(const Posterior& posterior) {
@@ -92,6 +103,16 @@ TEST(Calibrate, AllowsAPhotoOfSomethingElseTheHandSetErrorsAsWell) {
   EXPECT_EQ(own.discrepancy, 0);
   EXPECT_GT(own.p, kRare);
   EXPECT_EQ(other.discrepancy, 1);
+}
+
+TEST(Calibrate, StaysNearTheMatchOfAPhotoOfSomethingElse) {
+  const Posterior paper = small_posterior("bump", photo_of_prior_location("translucent"));
+  const OptimizerResult match = match_of(paper);
+  const auto behind = [&](const Eigen::VectorXd& at) {
+    return match.evaluation.log_density - paper.value({at, match.position.discrete}).log_density;
+  };
+  EXPECT_LT(behind(calibration_of(paper).mode),
+            0.01 * behind(paper.position(prior_location(paper.table())).continuous));
 }
 
 }  // namespace

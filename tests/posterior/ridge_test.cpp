@@ -27,6 +27,23 @@ TEST(Ridge, ErrorsAreThoseOfRegressionsWithoutThePhotoWhetherInputsAreFewOrMany)
   }
 }
 
+TEST(Ridge, ByNoiseThatIsToComeIsWhatItIsByMuchDrawnNoise) {
+  constexpr Eigen::Index kInputs = 5, kPhotos = 20000;
+  constexpr double kVariance = 2.5;
+  Rng rng(3);
+  const Eigen::MatrixXd inputs = normals(rng, kInputs, kPhotos);
+  const Eigen::VectorXd target = inputs.transpose() * rng.normals(kInputs) + rng.normals(kPhotos);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(kPhotos);
+  const Eigen::MatrixXd noisy = inputs + std::sqrt(kVariance) * normals(rng, kInputs, kPhotos);
+  const RidgeFit to_come = fit_ridge(target, Spectrum(inputs), none, kVariance);
+  const RidgeFit drawn = fit_ridge(target, Spectrum(noisy), none);
+  const Eigen::VectorXd expected = noisy * drawn.dual;
+  EXPECT_LT((inputs * to_come.dual - expected).norm(), 0.05 * expected.norm());
+  EXPECT_NEAR(to_come.loss / drawn.loss, 1, 0.03);
+  const RidgeFit without = fit_ridge(target, Spectrum(inputs), none);
+  EXPECT_GT((inputs * without.dual - expected).norm(), 0.5 * expected.norm());
+}
+
 TEST(Ridge, TrustsWhatIsExactAndNothingThatIsNoise) {
   Rng rng(2);
   const Eigen::MatrixXd inputs = normals(rng, 20, 100);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 
 #include "tests/posterior/toy_simulator.h"
@@ -35,6 +37,28 @@ TEST(Scores, OfPhotosThatAreLeftOutAreWhatTheOthersMakeThem) {
     EXPECT_LT((scores.left_out().col(i) - without(summaries.col(i))).norm(),
               0.25 * (scores(summaries.col(i)) - without(summaries.col(i))).norm() + 0.01);
   }
+}
+
+TEST(Scores, KnowKnownErrorsBetterThanPhotosTeachThem) {
+  constexpr Eigen::Index kEntries = 600, kPhotos = 100, kTried = 200;
+  Rng rng(5);
+  const Eigen::VectorXd sds = (0.5 * rng.normals(kEntries)).array().exp();
+  const Eigen::MatrixXd told = normals(rng, kEntries, 2) / 10;  // slopes in units of the errors
+  const Eigen::MatrixXd slopes = sds.asDiagonal() * told;
+  const auto errors = [&](Eigen::Index photos) -> Eigen::MatrixXd {
+    return sds.asDiagonal() * normals(rng, kEntries, photos);
+  };
+  const Eigen::MatrixXd places = normals(rng, 2, kPhotos), drawn = errors(kPhotos);
+  const Eigen::MatrixXd summaries = slopes * places + drawn;
+  const Scores known(places, summaries, {.sds = sds, .drawn = drawn}), learnt(places, summaries);
+  const Eigen::MatrixXd photos = slopes * normals(rng, 2, kTried) + errors(kTried);
+  const Eigen::MatrixXd covariance = (Eigen::MatrixXd::Identity(2, 2) + told.transpose() * told).inverse();
+  const Eigen::MatrixXd exact = covariance * told.transpose() * sds.cwiseInverse().asDiagonal() * photos;
+  const auto off = [&](const Scores& scores) {
+    return (scores(photos) - exact).squaredNorm() / (kTried * covariance.trace());
+  };
+  EXPECT_LT(off(known), 0.1);
+  EXPECT_GT(off(learnt), 0.5);
 }
 
 TEST(Scores, OfNothingButNoiseAreThePriorMean) {

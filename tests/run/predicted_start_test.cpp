@@ -59,7 +59,9 @@ TEST(LearnErrors, NeedsNoPilotForAPhotoThatTheMaterialCanMake) {
   const Image photo = photo_of_bump();
   const Posterior posterior(small_settings(), photo);
   std::atomic<int> simulated{0};
-  const CalibratedMode found = learn_errors(posterior, photo, Capture{}, 1, [&] { ++simulated; });
+  const CalibratedMode found = learn_errors(
+      posterior, photo, Capture{}, 1, [&] { ++simulated; },
+      []() -> Position { throw std::logic_error("the photo is one that the material can make"); });
   EXPECT_GT(found.errors.fit.p, kRare);
   EXPECT_GT(simulated, 0);
   EXPECT_LT(simulated, CalibrationSettings().pilot);

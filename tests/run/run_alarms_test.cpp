@@ -38,6 +38,15 @@ TEST(RunAlarms, a_photo_that_is_further_than_simulated_ones_is_told_with_how_far
     EXPECT_NE(far->sentence.find(words), std::string::npos) << far->sentence;
 }
 
+TEST(RunAlarms, colours_are_told_where_textures_are_allowed_to_differ) {
+  EXPECT_FALSE(colour_alarm({{"gram 1", false, 0.8, 4}, {"4 ring means", true, 0.04, 2}}));
+  const auto off = colour_alarm({{"gram 1", false, 0.8, 40}, {"4 ring means", true, 0.12, 6}});
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->name, "colours");
+  for (const char* words : {"31 of 255", "off by 5", "--errors paper"})
+    EXPECT_NE(off->sentence.find(words), std::string::npos) << off->sentence;
+}
+
 TEST(RunAlarms, noise_is_told_above_a_tenth_of_a_nat) {
   EXPECT_FALSE(noise_alarm(0));
   EXPECT_FALSE(noise_alarm(0.099));
