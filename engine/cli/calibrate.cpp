@@ -194,10 +194,8 @@ void add_study(CLI::App& command, Options& options) {
                   "What renders and photo are compared by (default: the material's)")
       ->type_name("NAME");
   command
-      .add_option(
-          "--pilot", options.study.simulations.pilot,
-          "Photos of the prior that calibrated errors begin with where a material has no predictor, or "
-          "a photo is like none that it makes")
+      .add_option("--pilot", options.study.simulations.pilot,
+                  "Photos of the prior that calibrated errors begin with where a material has no predictor")
       ->capture_default_str();
   command
       .add_option("--error-scale", options.study.error_scale,

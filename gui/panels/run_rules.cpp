@@ -47,10 +47,12 @@ bool edit_errors(std::string& errors) {
       "are as wide as such matches usually need");
   offer(
       "calibrated", "Learnt from simulated photos",
-      "Photos are simulated in place of a search, a few hundred or, for a photo that the material cannot "
-      "quite make, some 1500: they tell how much its irregularities matter. Then ten thousand draws come at "
-      "once. Of simulated photos intervals of 90 % hold the truth in nine cases of ten; real photos are "
-      "another matter, and renders look less like them");
+      "A few hundred photos are simulated in place of a search: they tell how much a material's "
+      "irregularities matter. For a photo that the material cannot quite make the best match is searched for "
+      "as well, and photos are simulated about it. Then ten thousand draws come at once. Of simulated photos "
+      "intervals of 90 % hold the truth in nine cases of ten; real photos are another matter, and renders "
+      "look "
+      "less like them");
   return errors != before;
 }
 
