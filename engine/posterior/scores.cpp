@@ -12,8 +12,9 @@ namespace {
 
 /// 1 / sd of each entry. One that never changes says nothing.
 Eigen::VectorXd precisions_of(const Eigen::MatrixXd& entries) {
-  const Eigen::VectorXd variances = (entries.colwise() - entries.rowwise().mean()).rowwise().squaredNorm() /
-                                    static_cast<double>(entries.cols());
+  const Eigen::VectorXd mean = entries.rowwise().mean();
+  const Eigen::VectorXd variances =
+      (entries.colwise() - mean).rowwise().squaredNorm() / static_cast<double>(entries.cols());
   return (variances.array() > 1e-20).select(variances.array().max(1e-20).rsqrt(), 0.0);
 }
 
