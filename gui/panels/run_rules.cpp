@@ -51,8 +51,7 @@ bool edit_errors(std::string& errors) {
       "irregularities matter. For a photo that the material cannot quite make the best match is searched for "
       "as well, and photos are simulated about it. Then ten thousand draws come at once. Of simulated photos "
       "intervals of 90 % hold the truth in nine cases of ten; real photos are another matter, and renders "
-      "look "
-      "less like them");
+      "look less like them");
   return errors != before;
 }
 
