@@ -1,117 +1,88 @@
-// Whether several chains' renders should go through the network as one batch: the convolutions of the bundled
-// network, there and back, on four maps at once by all threads, and one by one by as many threads, as chains
-// do; and the same by one thread, as simulated photos go through it. Medians of interleaved repeats.
-//   bench-batch [REPEATS=15]
+// Whether several chains' renders should go through the network as one batch: Gram matrices and their
+// gradient of four images at once by all threads, and one by one by as many threads, as chains do; and the
+// same by one thread, as simulated photos go through it. Medians of interleaved repeats.
+//   bench-batch [--network bundled|vgg19] [--device cpu|cuda] [--precision float32|bfloat16] [--repeats N]
+//   [RESOLUTION]...
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
-#include <ATen/core/grad_mode.h>
-#include <ATen/ops/mkldnn_convolution.h>
-#include <ATen/ops/randn.h>
+#include <ATen/ops/rand.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
+#include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "engine/allocator.h"
+#include "engine/io/temporary_folder.h"
+#include "engine/summary/summary.h"
+#include "tests/bench/random_vgg19.h"
 #include "tests/bench/timing.h"
 
 namespace patina {
 namespace {
 
 constexpr int kChains = 4;
-constexpr std::int64_t kKernel = 3;
-constexpr auto kChannelsLast = at::MemoryFormat::ChannelsLast;
 
-/// A convolution of 3 x 3, there and back, on a map whose side is the image's over `shrink`.
-struct Layer {
-  at::Tensor weight, back;
-  std::int64_t in, out, shrink;
-};
-
-/// Those of resources/networks/bundled.safetensors.
-std::vector<Layer> make_layers() {
-  std::vector<Layer> layers;
-  std::int64_t in = 3;
-  const auto add = [&](std::int64_t out, std::int64_t shrink) {
-    const at::Tensor weight = at::randn({out, in, kKernel, kKernel}) * 0.05;
-    layers.push_back({weight, weight.flip({2, 3}).transpose(0, 1).contiguous(), in, out, shrink});
-    in = out;
-  };
-  add(16, 1);
-  add(32, 2);
-  for (const std::int64_t shrink : {4, 8, 16})
-    for (int i = 0; i < 2; ++i) add(shrink == 4 ? 48 : 64, shrink);
-  return layers;
+void there_and_back(const Summary& summary, const at::Tensor& images) {
+  const at::Tensor leaf = images.detach().set_requires_grad(true);
+  summary.of(leaf).square().sum().backward();
 }
 
-/// Maps and gradients of every layer, of one chain or of several.
-struct Work {
-  std::vector<at::Tensor> maps, gradients;
-
-  Work(const std::vector<Layer>& layers, std::int64_t chains, std::int64_t side) {
-    for (const Layer& layer : layers) {
-      const std::int64_t n = side / layer.shrink;
-      maps.push_back(at::randn({chains, layer.in, n, n}).contiguous(kChannelsLast));
-      gradients.push_back(at::randn({chains, layer.out, n, n}).contiguous(kChannelsLast));
-    }
-  }
-
-  void run(const std::vector<Layer>& layers) const {
-    const at::NoGradGuard no_grad;
-    const auto convolve = [](const at::Tensor& map, const at::Tensor& weight) {
-      return at::mkldnn_convolution(map, weight, {}, {1, 1}, {1, 1}, {1, 1}, 1);
-    };
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      convolve(maps[i], layers[i].weight);
-      convolve(gradients[i], layers[i].back);
-    }
-  }
-};
-
-void report(std::int64_t side, int repeats) {
+void report(const Summary& summary, int side, int repeats) {
   constexpr int kRounds = 4;  // of every measurement, so that starting threads counts for little
-  const std::vector<Layer> layers = make_layers();
-  const Work batch(layers, kChains, side);
-  std::vector<Work> chains;
-  for (int i = 0; i < kChains; ++i) chains.emplace_back(layers, 1, side);
+  const at::Tensor images = at::rand({kChains, 3, side, side});
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
-  const auto by_threads = [&](int count, const Work& work) {
+  const auto batch = [&](int count) {
     at::set_num_threads(count);
-    for (int i = 0; i < kRounds; ++i) work.run(layers);
+    for (int i = 0; i < kRounds; ++i) there_and_back(summary, images);
+  };
+  const auto one_by_one = [&](int first, int step) {
+    at::set_num_threads(1);
+    for (int i = 0; i < kRounds; ++i)
+      for (int c = first; c < kChains; c += step) there_and_back(summary, images.narrow(0, c, 1));
   };
   const auto apart = [&] {
     std::vector<std::jthread> pool;
-    for (int t = 0; t < threads; ++t)
-      pool.emplace_back([&, t] {
-        at::set_num_threads(1);
-        for (int i = 0; i < kRounds; ++i)
-          for (int c = t; c < kChains; c += threads) chains[static_cast<std::size_t>(c)].run(layers);
-      });
+    for (int t = 0; t < threads; ++t) pool.emplace_back([&, t] { one_by_one(t, threads); });
   };
   std::vector<double> batched, single, ratios, of_one_thread;
   for (int i = -1; i < repeats; ++i) {  // the first to warm up
-    const double a = milliseconds([&] { by_threads(threads, batch); }) / kRounds,
-                 b = milliseconds(apart) / kRounds;
+    const double a = milliseconds([&] { batch(threads); }) / kRounds, b = milliseconds(apart) / kRounds;
+    const double c = milliseconds([&] { batch(1); }) / milliseconds([&] { one_by_one(0, 1); });
     if (i < 0) continue;
     batched.push_back(a);
     single.push_back(b);
     ratios.push_back(a / b);
-    of_one_thread.push_back(milliseconds([&] { by_threads(1, batch); }) / milliseconds([&] {
-                              for (const Work& chain : chains) by_threads(1, chain);
-                            }));
+    of_one_thread.push_back(c);
   }
-  std::printf("| %d | %.2f | %.2f | %.2f | %.2f |\n", static_cast<int>(side), median(batched), median(single),
-              median(ratios), median(of_one_thread));
+  std::printf("| %d | %.2f | %.2f | %.2f | %.2f |\n", side, median(batched), median(single), median(ratios),
+              median(of_one_thread));
+  std::fflush(stdout);
 }
 
 }  // namespace
 }  // namespace patina
 
 int main(int argc, char** argv) {
-  const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
+  std::string network = "bundled", device = "cpu", precision = "float32";
+  int repeats = 15;
+  std::vector<int> sides{32, 64, 128, 256};
+  CLI::App app("Several chains as one batch");
+  app.add_option("--network", network)->check(CLI::IsMember({"bundled", "vgg19"}));
+  app.add_option("--device", device)->check(CLI::IsMember(patina::device_names()));
+  app.add_option("--precision", precision)->check(CLI::IsMember(patina::precision_names()));
+  app.add_option("--repeats", repeats)->check(CLI::Range(1, 1000));
+  app.add_option("RESOLUTION", sides)->check(CLI::Range(16, 1024));
+  CLI11_PARSE(app, argc, argv);
+  const patina::TemporaryFolder folder;
+  std::filesystem::path file;
+  if (network == "vgg19") patina::write_random_vgg19(file = folder.path() / "vgg19.safetensors");
+  const auto summary =
+      patina::make_summary("gram", file, patina::precision_named(precision), patina::device_named(device));
   std::puts("| pixels | one batch of 4, ms | 4 by themselves, ms | batch / by themselves | on one thread |");
   std::puts("|---|---|---|---|---|");
-  for (const std::int64_t side : {32, 64, 128, 256}) patina::report(side, repeats);
+  for (const int side : sides) patina::report(*summary, side, repeats);
 }
