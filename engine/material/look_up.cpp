@@ -35,21 +35,22 @@ constexpr std::int64_t kBorders = 2;   // texels, both sides together
 
 std::int64_t texels(const at::Tensor& level) { return level.size(-1) - kBorders; }
 
-/// Texture coordinates of n + 1 columns and rows, plus one: in [0, 2), one period.
+/// Texture coordinates of the columns and rows, plus one: in [0, 2), one period.
 struct Place {
   at::Tensor x, y;
 };
 
-Place place_of(const at::Tensor& scale, const at::Tensor& shift_x, const at::Tensor& shift_y,
-               std::int64_t n) {
+Place place_of(const at::Tensor& scale, const at::Tensor& shift_x, const at::Tensor& shift_y, std::int64_t n,
+               Neighbours neighbours) {
+  const bool more = neighbours == Neighbours::above_and_right;
   const at::Tensor pixel =
       at::arange(-1, n + 1, scale.options().requires_grad(false)).add(0.5) * (2.0 / static_cast<double>(n)) -
       1;
   const auto in_one_period = [&](const at::Tensor& pixels, const at::Tensor& shift) {
     return at::remainder((pixels + shift) * scale + 1, 2);
   };
-  return {in_one_period(pixel.narrow(0, 1, n + 1), shift_x),
-          in_one_period(pixel.narrow(0, 0, n + 1), shift_y)};
+  return {in_one_period(more ? pixel.narrow(0, 1, n + 1) : pixel.narrow(0, 1, n), shift_x),
+          in_one_period(more ? pixel.narrow(0, 0, n + 1) : pixel.narrow(0, 1, n), shift_y)};
 }
 
 /// One or two levels of a map, and their weights, [levels].
@@ -132,7 +133,7 @@ struct LookUp : torch::autograd::Function<LookUp> {
   }
 };
 
-/// @param grid  [1, n + 1, n + 1, 2], texture coordinates
+/// @param grid  [1, n, n, 2], texture coordinates
 at::Tensor sample(const at::Tensor& level, const at::Tensor& grid) {
   constexpr int kBilinear = 0, kZeros = 0;
   const double m = static_cast<double>(texels(level)), inside = m / (m + kBorders);
@@ -160,17 +161,18 @@ MipMap stack_channels(const MipMap& first, const MipMap& second) {
 }
 
 at::Tensor look_up(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
-                   const at::Tensor& shift_y, int resolution) {
-  if (scale.scalar_type() != at::kFloat) return look_up_by_tensors(map, scale, shift_x, shift_y, resolution);
-  const Place place = place_of(scale, shift_x, shift_y, resolution);
+                   const at::Tensor& shift_y, int resolution, Neighbours neighbours) {
+  if (scale.scalar_type() != at::kFloat)
+    return look_up_by_tensors(map, scale, shift_x, shift_y, resolution, neighbours);
+  const Place place = place_of(scale, shift_x, shift_y, resolution, neighbours);
   const Mixture mixture = mixture_of(map, scale, resolution);
   return LookUp::apply(place.x, place.y, mixture.weights, mixture.levels);
 }
 
 at::Tensor look_up_by_tensors(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
-                              const at::Tensor& shift_y, int resolution) {
-  const std::int64_t n = resolution + 1;
-  const Place place = place_of(scale, shift_x, shift_y, resolution);
+                              const at::Tensor& shift_y, int resolution, Neighbours neighbours) {
+  const Place place = place_of(scale, shift_x, shift_y, resolution, neighbours);
+  const std::int64_t n = place.x.numel();
   const at::Tensor grid =
       at::stack({place.x.view({1, n}).expand({n, n}), place.y.view({n, 1}).expand({n, n})}, -1).unsqueeze(0) -
       1;

@@ -9,47 +9,67 @@ using simd::Lanes;
 /// Texels a half period spans.
 float texels(const Level& level) { return 0.5f * static_cast<float>(level.side - 2); }
 
-/// Where all columns lie in a level: the texel before each, and how far it is from there to the next. The
-/// last is repeated until vectors are full.
+/// Where all columns lie in a level, kLanes after kLanes; the last is repeated until those are full.
 struct Columns {
-  std::vector<std::int32_t> first;
-  std::vector<float> fraction;
+  struct Run {
+    std::ptrdiff_t from;  ///< the least of their texels
+    bool near;            ///< all within simd::kWindow of it, as they are but where the map begins anew
+  };
+  std::vector<Run> runs;
+  std::vector<std::int32_t> texel;  ///< the one before each column, counted from its run's least
+  std::vector<float> fraction;      ///< how far it is from there to the next
 };
 
 /// A place that is no number lies at the border, and stays none in its fraction.
 Columns columns_in(const Level& level, const std::vector<float>& places) {
-  const auto count = static_cast<std::ptrdiff_t>(places.size());
-  const auto whole = static_cast<std::size_t>((count + simd::kLanes - 1) / simd::kLanes * simd::kLanes);
-  Columns columns{std::vector<std::int32_t>(whole), std::vector<float>(whole)};
+  const auto count = static_cast<std::ptrdiff_t>(places.size()),
+             runs = (count + simd::kLanes - 1) / simd::kLanes;
+  const auto whole = static_cast<std::size_t>(runs * simd::kLanes);
+  Columns columns{{}, std::vector<std::int32_t>(whole), std::vector<float>(whole)};
   const int last = level.side - 2;
   for (std::ptrdiff_t i = 0; i < count; i += simd::kLanes) {
     const Lanes at = simd::load(places.data() + i, simd::lanes_from(i, count)) * texels(level) + 0.5f;
     const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
-    const Bits first = raised > last ? raised - raised + last : raised;
-    std::memcpy(columns.first.data() + i, &first, sizeof first);
-    simd::store(at - __builtin_convertvector(first, Lanes), columns.fraction.data() + i, simd::kLanes);
+    const Bits texel = raised > last ? raised - raised + last : raised;
+    int least = last, most = 0;
+    for (int k = 0; k < simd::kLanes; ++k) least = std::min(least, texel[k]), most = std::max(most, texel[k]);
+    columns.runs.push_back({least, most - least < simd::kWindow});
+    const Bits counted = texel - least;
+    std::memcpy(columns.texel.data() + i, &counted, sizeof counted);
+    simd::store(at - __builtin_convertvector(texel, Lanes), columns.fraction.data() + i, simd::kLanes);
   }
   return columns;
 }
 
-/// A row of the grid lies between two rows of texels: what is there at each texel's column, and how that
-/// changes from the one to the other.
-struct Line {
-  std::vector<float> values, slopes;  ///< [side]
+/// Where a row of the grid lies in a level: the row of texels before it, and how far it is to the next.
+struct RowPlace {
+  const float* before;  ///< [side], and the next row behind it
+  float fraction;
 
-  void set(const Level& level, float place, int channel) {
+  RowPlace(const Level& level, float place, int channel) {
     const float at = place * texels(level) + 0.5f;
     const int first = at > 0 ? std::min(static_cast<int>(at), level.side - 2) : 0;
-    const float fraction = at - static_cast<float>(first);
-    const float* before =
-        level.values + (static_cast<std::ptrdiff_t>(channel) * level.side + first) * level.side;
-    values.resize(static_cast<std::size_t>(level.side));
-    slopes.resize(static_cast<std::size_t>(level.side));
-    for (std::ptrdiff_t i = 0; i < level.side; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, level.side);
-      const Lanes near = simd::load(before + i, count),
-                  slope = simd::load(before + level.side + i, count) - near;
-      simd::store(near + slope * fraction, values.data() + i, count);
+    before = level.values + (static_cast<std::ptrdiff_t>(channel) * level.side + first) * level.side;
+    fraction = at - static_cast<float>(first);
+  }
+};
+
+/// What lies between two rows of texels at each texel's column, and how that changes from the one to the
+/// other.
+struct Line {
+  std::vector<float> values, slopes;  ///< [side], and what simd::pick() may read behind it
+
+  /// @param coming  the row that will be wanted next: a level is too large to wait for its texels
+  void set(const RowPlace& row, const RowPlace& coming, int side) {
+    values.resize(static_cast<std::size_t>(side + simd::kWindow));
+    slopes.resize(static_cast<std::size_t>(side + simd::kWindow));
+    for (std::ptrdiff_t i = 0; i < side; i += simd::kLanes) {
+      __builtin_prefetch(coming.before + i);
+      __builtin_prefetch(coming.before + side + i);
+      const int count = simd::lanes_from(i, side);
+      const Lanes near = simd::load(row.before + i, count),
+                  slope = simd::load(row.before + side + i, count) - near;
+      simd::store(near + slope * row.fraction, values.data() + i, count);
       simd::store(slope, slopes.data() + i, count);
     }
   }
@@ -61,8 +81,14 @@ struct Sample {
 };
 
 PATINA_INLINE Sample sample(const std::vector<float>& line, const Columns& columns, std::ptrdiff_t i) {
-  const std::int32_t* first = columns.first.data() + i;
-  const Lanes left = simd::gather(line.data(), first), slope = simd::gather(line.data() + 1, first) - left;
+  const Columns::Run& run = columns.runs[static_cast<std::size_t>(i / simd::kLanes)];
+  const float* from = line.data() + run.from;
+  Bits texel;
+  std::memcpy(&texel, columns.texel.data() + i, sizeof texel);
+  const auto at = [&](int shift) __attribute__((always_inline)) {
+    return run.near ? simd::pick(from + shift, texel) : simd::gather(from + shift, texel);
+  };
+  const Lanes left = at(0), slope = at(1) - left;
   return {left + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
 }
 
@@ -78,9 +104,13 @@ struct Grid {
   }
 
   void set_row(const Problem& problem, std::ptrdiff_t row) {
+    const auto here = static_cast<std::size_t>(row), next = std::min(here + 1, problem.y.size() - 1);
     for (std::size_t l = 0; l < problem.levels.size(); ++l)
-      for (std::size_t c = 0; c < lines[l].size(); ++c)
-        lines[l][c].set(problem.levels[l], problem.y[static_cast<std::size_t>(row)], static_cast<int>(c));
+      for (int c = 0; c < problem.channels; ++c) {
+        const Level& level = problem.levels[l];
+        lines[l][static_cast<std::size_t>(c)].set({level, problem.y[here], c}, {level, problem.y[next], c},
+                                                  level.side);
+      }
   }
 };
 

@@ -21,6 +21,22 @@ PATINA_INLINE Lanes gather(const float* from, const Index& index) {
   return lanes;
 }
 
+/// How far apart the entries that pick() takes may lie.
+constexpr int kWindow = 3 * kLanes;
+
+/// gather() of from[0 ... kWindow - 1], all of which is read, by shuffles where the processor has them.
+PATINA_INLINE Lanes pick(const float* from, const Bits& index) {
+#if PATINA_LANES == 4
+  return gather(from, index);
+#else
+  Lanes first, second, third;
+  std::memcpy(&first, from, sizeof first);
+  std::memcpy(&second, from + kLanes, sizeof second);
+  std::memcpy(&third, from + 2 * kLanes, sizeof third);
+  return index < 2 * kLanes ? __builtin_shuffle(first, second, index) : __builtin_shuffle(third, index);
+#endif
+}
+
 /// The first `count` of kLanes numbers, the last of them repeated to fill up.
 PATINA_INLINE Lanes load(const float* from, int count) {
   Lanes lanes;

@@ -1,15 +1,15 @@
 // What a render and its gradient cost beside the network's Gram matrices and theirs, and the shading in one
 // pass over pixels beside the same as tensor operations; one thread, medians of interleaved repeats.
-//   bench-render [REPEATS=9] [RESOLUTION=512]
+//   bench-render [--repeats 9] [--resolution 512] [MATERIAL]...
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/rand.h>
 #include <ATen/ops/rand_like.h>
 #include <ATen/ops/scalar_tensor.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
@@ -108,10 +108,15 @@ void report(const std::string& name, int repeats, int resolution) {
 }  // namespace patina
 
 int main(int argc, char** argv) {
-  const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 9;
-  const int resolution = argc > 2 ? std::atoi(argv[2]) : 512;
+  int repeats = 9, resolution = 512;
+  std::vector<std::string> materials = patina::material_names();
+  CLI::App app("What a render costs beside the network");
+  app.add_option("--repeats", repeats)->check(CLI::Range(1, 10'000));
+  app.add_option("--resolution", resolution)->check(CLI::Range(64, 1024));
+  app.add_option("MATERIAL", materials)->check(CLI::IsMember(patina::material_names()));
+  CLI11_PARSE(app, argc, argv);
   at::set_num_threads(1);
   std::puts("| | network, ms | render, ms | share | shading in one pass, ms | by tensors, ms | times |");
   std::puts("|---|---|---|---|---|---|---|");
-  for (const std::string& name : patina::material_names()) patina::report(name, repeats, resolution);
+  for (const std::string& name : materials) patina::report(name, repeats, resolution);
 }

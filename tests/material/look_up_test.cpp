@@ -12,7 +12,8 @@
 namespace patina {
 namespace {
 
-using LookUp = at::Tensor (*)(const MipMap&, const at::Tensor&, const at::Tensor&, const at::Tensor&, int);
+using LookUp = at::Tensor (*)(const MipMap&, const at::Tensor&, const at::Tensor&, const at::Tensor&, int,
+                              Neighbours);
 
 /// What a look-up says, and the gradient of a weighted sum of it by scale and shifts.
 std::vector<at::Tensor> looked(LookUp look_up, const MipMap& map, double scale, int resolution,
@@ -21,7 +22,7 @@ std::vector<at::Tensor> looked(LookUp look_up, const MipMap& map, double scale, 
     return at::tensor(value, at::kFloat).to(type).detach().set_requires_grad(true);
   };
   const at::Tensor s = leaf(scale), x = leaf(0.137), y = leaf(-0.771);
-  const at::Tensor planes = look_up(map, s, x, y, resolution);
+  const at::Tensor planes = look_up(map, s, x, y, resolution, Neighbours::above_and_right);
   planes.backward(at::arange(planes.numel(), planes.options()).view(planes.sizes()).sin());
   return {planes.detach(), s.grad(), x.grad(), y.grad()};
 }
@@ -45,6 +46,13 @@ TEST_P(LookUpInOnePass, EqualsTensorOperationsWithItsGradient) {
 
 // Magnified, at and between levels, and beyond the coarsest.
 INSTANTIATE_TEST_SUITE_P(Scales, LookUpInOnePass, testing::Values(0.21, 0.93, 1.7, 4.4, 30.0));
+
+TEST(LookUpWithoutNeighbours, IsThePixelsAlone) {
+  const MipMap map = make_mip_map(at::rand({1, 2, 64, 64}));
+  const at::Tensor scale = at::tensor(1.3F), x = at::tensor(0.2F), y = at::tensor(-0.4F);
+  const at::Tensor pixels = look_up(map, scale, x, y, 45, Neighbours::none);
+  EXPECT_LT((pixels - without_neighbours(look_up(map, scale, x, y, 45))).abs().max().item<float>(), 1e-6F);
+}
 
 }  // namespace
 }  // namespace patina
