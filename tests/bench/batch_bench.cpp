@@ -32,7 +32,8 @@ void there_and_back(const Summary& summary, const at::Tensor& images) {
 }
 
 void report(const Summary& summary, int side, int repeats) {
-  constexpr int kRounds = 4;  // of every measurement, so that starting threads counts for little
+  constexpr int kRounds =
+      20;  // of every measurement, so that what a new thread has to make counts for little
   const at::Tensor images = at::rand({kChains, 3, side, side});
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
   const auto batch = [&](int count) {
@@ -68,7 +69,7 @@ void report(const Summary& summary, int side, int repeats) {
 
 int main(int argc, char** argv) {
   std::string network = "bundled", device = "cpu", precision = "float32";
-  int repeats = 15;
+  int repeats = 7;
   std::vector<int> sides{32, 64, 128, 256};
   CLI::App app("Several chains as one batch");
   app.add_option("--network", network)->check(CLI::IsMember({"bundled", "vgg19"}));
