@@ -8,8 +8,9 @@ namespace patina {
 
 /// Why the answer of a run, or a part of it, is not what it seems.
 struct Alarm {
-  std::string name;      ///< for programs: "noise"
-  std::string sentence;  ///< for the user: what was seen, and what to do
+  std::string name;  ///< for programs: "noise"
+  /// For the user: what was seen, and what to do, with options of patina-cli fit in brackets, "(--chains 4)".
+  std::string sentence;
   bool operator==(const Alarm&) const = default;
 };
 

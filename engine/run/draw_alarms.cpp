@@ -24,7 +24,8 @@ std::string number(double value) { return format("%.3g", value); }
 
 std::optional<Alarm> alone(const RunSummary& summary) {
   if (summary.chains.size() != 1) return std::nullopt;
-  return Alarm{"alone", "One chain cannot show whether it found every kind of match: draw with --chains 4."};
+  return Alarm{"alone",
+               "One chain cannot show whether it found every kind of match: draw four (--chains 4)."};
 }
 
 bool never_moved(const std::vector<const Draw*>& chain) {
@@ -37,8 +38,9 @@ std::optional<Alarm> stuck(const Chains& chains) {
   for (std::size_t k = 0; k < chains.size(); ++k)
     if (never_moved(chains[k])) names += (names.empty() ? "" : ", ") + std::to_string(k + 1);
   if (names.empty()) return std::nullopt;
-  return Alarm{"stuck", "These chains never moved: " + names +
-                            ". Their draws are one place, not a spread: give them more --warmup."};
+  return Alarm{"stuck",
+               "These chains never moved: " + names +
+                   ". Their draws are one place, not a spread: let them walk for longer first (--warmup)."};
 }
 
 /// Some of the draws, in order, and of which chain each is.
@@ -100,10 +102,11 @@ std::optional<Alarm> separate_modes(const Chains& chains, const ParameterTable& 
   for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 4); ++i)
     shares += (i == 0 ? "" : ", ") +
               percent(static_cast<double>(modes[i].members.size()) / static_cast<double>(some.draws.size()));
-  return Alarm{"modes", "There are " + std::to_string(modes.size()) + " separate kinds of match (" + shares +
-                            " of the draws), and chains passed into or out of one of them only " +
-                            std::to_string(fewest) +
-                            " times: how likely each is, is not known. --temper 8 weighs them."};
+  return Alarm{
+      "modes",
+      "There are " + std::to_string(modes.size()) + " separate kinds of match (" + shares +
+          " of the draws), and chains passed into or out of one of them only " + std::to_string(fewest) +
+          " times: how likely each is, is not known. A ladder to the prior weighs them (--temper 8)."};
 }
 
 std::optional<Alarm> divergences(const RunSummary& summary) {
@@ -117,7 +120,7 @@ std::optional<Alarm> divergences(const RunSummary& summary) {
   if (worst == nullptr || !(share(*worst) > kMostDivergent)) return std::nullopt;
   return Alarm{"divergences", percent(share(*worst)) + " of chain " + std::to_string(worst->chain + 1) +
                                   "'s steps met a cliff and were broken off: places that it should have "
-                                  "reached may be missing. Compare with --kernel mh."};
+                                  "reached may be missing. Compare with random walks (--kernel mh)."};
 }
 
 std::optional<Alarm> energy(const RunSummary& summary) {
@@ -162,8 +165,7 @@ void add_bounds(const Chains& chains, const ParameterTable& table, Alarms& alarm
       const double bound = upper ? parameter.prior.high : parameter.prior.low;
       alarms.push_back({"bound", percent(pile.drawn) + " of the draws of " + parameter.name +
                                      " are piled at its " + (upper ? "upper" : "lower") + " bound " +
-                                     number(bound) + ": the photo may want more than --prior " +
-                                     parameter.name + " allows."});
+                                     number(bound) + ": the photo may want a wider prior of it (--prior)."});
     }
   }
 }

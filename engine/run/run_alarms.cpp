@@ -95,9 +95,9 @@ std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterVa
     of = parameter.name + format(" = %.3g", best.continuous[i]);
   }
   if (free == 0 || Eigen::numext::igammac(free / 2, square / 2) > kUnlikely) return std::nullopt;
-  return Alarm{"strained", "The best match needs parameters that the prior calls unlikely, most of all " +
-                               of +
-                               ": give them a wider --prior if they can be so, or try another material."};
+  return Alarm{"strained",
+               "The best match needs parameters that the prior calls unlikely, most of all " + of +
+                   ": give them a wider prior (--prior) if they can be so, or try another material."};
 }
 
 std::optional<Alarm> coarse_alarm(const Posterior& posterior, const Position& best, const Image& finer) {
@@ -109,7 +109,7 @@ std::optional<Alarm> coarse_alarm(const Posterior& posterior, const Position& be
   return Alarm{
       "coarse",
       "The best match looks otherwise at the pixels of this run than at more of them: its highlight or its "
-      "grain is too fine for them, and intervals may miss the truth. Look at more with --resolution."};
+      "grain is too fine for them, and intervals may miss the truth. Look at more pixels (--resolution)."};
 }
 
 }  // namespace patina

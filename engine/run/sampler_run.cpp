@@ -317,7 +317,9 @@ Position SamplerRun::coarse_match() {
   coarse.push_back(
       std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
   const auto keep_best = [this](const MapPoint& best) { keep(best); };
-  return find_mode(coarse, settings_, guesses(), shared_, keep_best).mode.position;
+  Position match = find_mode(coarse, settings_, guesses(), shared_, keep_best).mode.position;
+  shared_.edit_status([](RunStatus& status) { status.search_fraction = 0; });  // photos are simulated again
+  return match;
 }
 
 void SamplerRun::show(const Position& position) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/run/all_alarms.h"
+#include "gui/alarm_words.h"
 #include "gui/panels/run_rules.h"
 #include "gui/run_outlook.h"
 #include "gui/window/theme.h"
@@ -122,9 +123,9 @@ void draw_alarms(const Session& session) {
   const std::string mind =
       alarms.size() == 1 ? "Mind: " : "Mind " + std::to_string(alarms.size()) + " things: ";
   std::string all;
-  for (const Alarm& alarm : alarms) all += (all.empty() ? "" : "\n\n") + alarm.sentence;
-  elided_text(mind + beginning(alarms.front().sentence), ImGui::GetContentRegionAvail().x, theme::kWarning,
-              all);
+  for (const Alarm& alarm : alarms) all += (all.empty() ? "" : "\n\n") + by_controls(alarm.sentence);
+  elided_text(mind + beginning(by_controls(alarms.front().sentence)), ImGui::GetContentRegionAvail().x,
+              theme::kWarning, all);
 }
 
 void draw_chain_row(int number, const ChainStatus& chain) {
@@ -149,10 +150,13 @@ void draw_chain_row(int number, const ChainStatus& chain) {
   ImGui::PopStyleColor();
 }
 
+/// As close as lines of text, so that four chains show beside an alarm in a window as it opens.
 void draw_chain_table(const RunStatus& status, float height) {
-  if (!ImGui::BeginTable("chains", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp,
-                         {0, height}))
-    return;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, 0});
+  const bool shown = ImGui::BeginTable(
+      "chains", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp, {0, height});
+  ImGui::PopStyleVar();
+  if (!shown) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const auto& [name, meaning] : kColumns) ImGui::TableSetupColumn(name);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
