@@ -11,12 +11,12 @@ float texels(const Level& level) { return 0.5f * static_cast<float>(level.side -
 
 /// Where all columns lie in a level, kLanes after kLanes; the last is repeated until those are full.
 struct Columns {
-  struct Run {
-    std::ptrdiff_t from;  ///< the least of their texels
-    bool near;            ///< all within simd::kWindow of it, as they are but where the map begins anew
+  struct Run {  ///< of simd::Places, whose vector would have to be aligned in memory
+    std::ptrdiff_t from;
+    bool near;  ///< as they are but where the map begins anew
   };
   std::vector<Run> runs;
-  std::vector<std::int32_t> texel;  ///< the one before each column, counted from its run's least
+  std::vector<std::int32_t> texel;  ///< the one before each column, counted from its run's first
   std::vector<float> fraction;      ///< how far it is from there to the next
 };
 
@@ -31,11 +31,9 @@ Columns columns_in(const Level& level, const std::vector<float>& places) {
     const Lanes at = simd::load(places.data() + i, simd::lanes_from(i, count)) * texels(level) + 0.5f;
     const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
     const Bits texel = raised > last ? raised - raised + last : raised;
-    int least = last, most = 0;
-    for (int k = 0; k < simd::kLanes; ++k) least = std::min(least, texel[k]), most = std::max(most, texel[k]);
-    columns.runs.push_back({least, most - least < simd::kWindow});
-    const Bits counted = texel - least;
-    std::memcpy(columns.texel.data() + i, &counted, sizeof counted);
+    const simd::Places run = simd::places_of(texel, level.side + simd::kWindow - 1);  // with the line's room
+    columns.runs.push_back({run.from, run.near});
+    std::memcpy(columns.texel.data() + i, &run.index, sizeof run.index);
     simd::store(at - __builtin_convertvector(texel, Lanes), columns.fraction.data() + i, simd::kLanes);
   }
   return columns;
@@ -82,13 +80,9 @@ struct Sample {
 
 PATINA_INLINE Sample sample(const std::vector<float>& line, const Columns& columns, std::ptrdiff_t i) {
   const Columns::Run& run = columns.runs[static_cast<std::size_t>(i / simd::kLanes)];
-  const float* from = line.data() + run.from;
-  Bits texel;
-  std::memcpy(&texel, columns.texel.data() + i, sizeof texel);
-  const auto at = [&](int shift) __attribute__((always_inline)) {
-    return run.near ? simd::pick(from + shift, texel) : simd::gather(from + shift, texel);
-  };
-  const Lanes left = at(0), slope = at(1) - left;
+  simd::Places places{run.from, {}, run.near};
+  std::memcpy(&places.index, columns.texel.data() + i, sizeof places.index);
+  const Lanes left = simd::take(line.data(), places), slope = simd::take(line.data() + 1, places) - left;
   return {left + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
 }
 

@@ -39,10 +39,10 @@ PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) 
   const Between column = between((x - (plane.run_x - 1) / 2) / plane.run_x, plane.columns);
   const Between row = between((y - (plane.run_y - 1) / 2) / plane.run_y, plane.rows);
   const int stride = plane.columns + 1;
-  const Bits first = row.first * stride + column.first;
+  const simd::Places first = simd::places_of(row.first * stride + column.first, plane.rows * stride - 1);
   const float *here = plane.values, *below = here + stride;
-  const Line near = line(simd::gather(here, first), simd::gather(here + 1, first), column.fraction);
-  const Line far = line(simd::gather(below, first), simd::gather(below + 1, first), column.fraction);
+  const Line near = line(simd::take(here, first), simd::take(here + 1, first), column.fraction);
+  const Line far = line(simd::take(below, first), simd::take(below + 1, first), column.fraction);
   const Line across = line(near.value, far.value, row.fraction);
   return {across.value, (near.slope + (far.slope - near.slope) * row.fraction) / plane.run_x,
           across.slope / plane.run_y};
@@ -55,13 +55,14 @@ struct VolumeSample {
 /// Where eight neighbours lie, and where between them.
 struct Cell {
   Between x, y, z;
-  Bits first;
+  simd::Places first;
 };
 
 PATINA_INLINE Cell cell_of(const Volume& volume, const Lanes& x, const Lanes& y, const Lanes& z) {
   Cell cell{between(x, volume.period), between(y, volume.period), between(z, volume.period), {}};
-  const int stride = volume.period + 1;
-  cell.first = (cell.z.first * stride + cell.y.first) * stride + cell.x.first;
+  const int stride = volume.period + 1, furthest = (stride + 1) * stride + 1;
+  cell.first = simd::places_of((cell.z.first * stride + cell.y.first) * stride + cell.x.first,
+                               stride * stride * stride - furthest);
   return cell;
 }
 
@@ -70,7 +71,7 @@ PATINA_INLINE VolumeSample sample(const Volume& volume, const Cell& cell, int ch
   const float* values = volume.values + channel * stride * stride * stride;
   const auto along_x = [&](int y, int z) __attribute__((always_inline)) {
     const float* row = values + (z * stride + y) * stride;
-    return line(simd::gather(row, cell.first), simd::gather(row + 1, cell.first), cell.x.fraction);
+    return line(simd::take(row, cell.first), simd::take(row + 1, cell.first), cell.x.fraction);
   };
   struct Face {
     Lanes value, by_x, by_y;

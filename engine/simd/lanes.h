@@ -37,6 +37,39 @@ PATINA_INLINE Lanes pick(const float* from, const Bits& index) {
 #endif
 }
 
+/// Whether a comparison holds of any entry.
+PATINA_INLINE bool any(const Bits& mask) {
+  std::int64_t parts[kLanes / 2];
+  std::memcpy(parts, &mask, sizeof parts);
+  std::int64_t all = 0;
+  for (const std::int64_t part : parts) all |= part;
+  return all != 0;
+}
+
+/// Which kLanes entries of a table are wanted: counted from one of them, and whether all lie within kWindow
+/// from there, as those of neighbouring pixels mostly do.
+struct Places {
+  std::ptrdiff_t from;
+  Bits index;
+  bool near;
+};
+
+/// @param at    entries of a table   @param size  how many it has behind the first that is ever asked for
+PATINA_INLINE Places places_of(const Bits& at, std::ptrdiff_t size) {
+  typedef std::uint32_t Counts __attribute__((vector_size(sizeof(Bits))));
+  const std::int32_t from = at[0] < at[kLanes - 1] ? at[0] : at[kLanes - 1];
+  const Bits index = at - from;
+  Counts counts;
+  std::memcpy(&counts, &index, sizeof counts);
+  return {from, index, from + kWindow <= size && !any(counts >= static_cast<std::uint32_t>(kWindow))};
+}
+
+/// A table's entries at these places.
+PATINA_INLINE Lanes take(const float* table, const Places& places) {
+  const float* from = table + places.from;
+  return places.near ? pick(from, places.index) : gather(from, places.index);
+}
+
 /// The first `count` of kLanes numbers, the last of them repeated to fill up.
 PATINA_INLINE Lanes load(const float* from, int count) {
   Lanes lanes;
