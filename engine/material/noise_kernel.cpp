@@ -1,6 +1,8 @@
 #include "engine/material/noise_kernel.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #define PATINA_KERNEL "engine/material/noise_kernel.simd.h"
 #include "engine/simd/each_target.h"
@@ -18,14 +20,13 @@ void look_up_backward(const std::vector<Plane>& planes, const float* x, const fl
   PATINA_ON_TARGET(look_up_backward(planes, x, y, begin, end, gradient, by_x, by_y, by_weight));
 }
 
-void look_up(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-             const Two& to) {
-  PATINA_ON_TARGET(look_up(volume, place, begin, end, to));
+void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {
+  PATINA_ON_TARGET(warp(warp, begin, end, to));
 }
 
-void look_up_backward(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-                      const ConstTwo& gradient, const Three& by_place) {
-  PATINA_ON_TARGET(look_up_backward(volume, place, begin, end, gradient, by_place));
+void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
+                   const WarpGradient& by) {
+  PATINA_ON_TARGET(warp_backward(warp, begin, end, gradient, by));
 }
 
 }  // namespace patina::noise

@@ -32,17 +32,30 @@ struct Volume {
   int period;
 };
 
+/// A grid, x of its columns, y and z of its rows, each of whose points moves along x and y by what a volume's
+/// channels say at `scale` times where it is, times `amplitude`.
+struct Warp {
+  Volume volume;
+  const float *x, *y, *z;
+  std::ptrdiff_t columns;
+  float scale, amplitude;
+};
+
 using Two = std::array<float*, 2>;
-using Three = std::array<float*, 3>;
 using ConstTwo = std::array<const float*, 2>;
-using ConstThree = std::array<const float*, 3>;
 
-/// @param place  x, y and z   @param to  the two channels
-void look_up(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-             const Two& to);
+/// Rows begin ... end - 1. @param to  x and y of all points, [rows, columns] each
+void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to);
 
-/// Writes the gradient of a scalar by the place, given that by both channels.
-void look_up_backward(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-                      const ConstTwo& gradient, const Three& by_place);
+struct WarpGradient {
+  float* x;         ///< of columns; added to
+  float *y, *z;     ///< of rows; written
+  double* scalars;  ///< of scale and amplitude; added to
+};
+
+/// The gradient of a scalar that rows begin ... end - 1 make, few enough to add up in float32.
+/// @param gradient  that by what warp() writes
+void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
+                   const WarpGradient& by);
 
 }  // namespace patina::noise

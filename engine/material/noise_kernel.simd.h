@@ -48,46 +48,68 @@ PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) 
           across.slope / plane.run_y};
 }
 
-struct VolumeSample {
-  Lanes value, by_x, by_y, by_z;
+/// Where a row lies between two neighbours of an axis of the lattice. One that is no number lies at the
+/// first, and stays none in its fraction.
+struct RowBetween {
+  int first;
+  float fraction;
+
+  RowBetween(float at, int period) {
+    const auto width = static_cast<float>(period);
+    const float inside = at - std::floor(at / width) * width;
+    first = inside > 0 ? static_cast<int>(std::min(inside, width - 1)) : 0;
+    fraction = inside - static_cast<float>(first);
+  }
 };
 
-/// Where eight neighbours lie, and where between them.
-struct Cell {
-  Between x, y, z;
-  simd::Places first;
+/// What a row of the grid meets of a channel: its values at each x of the lattice, and how they change along
+/// y and z.
+struct VolumeLine {
+  std::vector<float> values, by_y, by_z;  ///< [period + 1], and what simd::pick() may read behind it
+
+  void set(const Volume& volume, int channel, const RowBetween& y, const RowBetween& z) {
+    const int side = volume.period + 1;
+    for (std::vector<float>* line : {&values, &by_y, &by_z})
+      line->resize(static_cast<std::size_t>(side + simd::kWindow));
+    const float* near = volume.values + ((channel * side + z.first) * side + y.first) * side;
+    const float* far = near + side * side;
+    for (int x = 0; x < side; ++x) {
+      const float near_slope = near[side + x] - near[x], far_slope = far[side + x] - far[x];
+      const float here = near[x] + near_slope * y.fraction, there = far[x] + far_slope * y.fraction;
+      const auto at = static_cast<std::size_t>(x);
+      values[at] = here + (there - here) * z.fraction;
+      by_y[at] = near_slope + (far_slope - near_slope) * z.fraction;
+      by_z[at] = there - here;
+    }
+  }
 };
 
-PATINA_INLINE Cell cell_of(const Volume& volume, const Lanes& x, const Lanes& y, const Lanes& z) {
-  Cell cell{between(x, volume.period), between(y, volume.period), between(z, volume.period), {}};
-  const int stride = volume.period + 1, furthest = (stride + 1) * stride + 1;
-  cell.first = simd::places_of((cell.z.first * stride + cell.y.first) * stride + cell.x.first,
-                               stride * stride * stride - furthest);
-  return cell;
-}
+/// Which of a line's values pixels lie between, and where.
+struct AlongLine {
+  simd::Places places;
+  Lanes fraction;
 
-PATINA_INLINE VolumeSample sample(const Volume& volume, const Cell& cell, int channel) {
-  const int stride = volume.period + 1;
-  const float* values = volume.values + channel * stride * stride * stride;
-  const auto along_x = [&](int y, int z) __attribute__((always_inline)) {
-    const float* row = values + (z * stride + y) * stride;
-    return line(simd::take(row, cell.first), simd::take(row + 1, cell.first), cell.x.fraction);
-  };
-  struct Face {
-    Lanes value, by_x, by_y;
-  };
-  const auto face = [&](int z) __attribute__((always_inline)) {
-    const Line near = along_x(0, z), far = along_x(1, z);
-    return Face{near.value + (far.value - near.value) * cell.y.fraction,
-                near.slope + (far.slope - near.slope) * cell.y.fraction, far.value - near.value};
-  };
-  const Face near = face(0), far = face(1);
-  const auto mix = [&](const Lanes& a, const Lanes& b) __attribute__((always_inline)) {
-    return a + (b - a) * cell.z.fraction;
-  };
-  return {mix(near.value, far.value), mix(near.by_x, far.by_x), mix(near.by_y, far.by_y),
-          far.value - near.value};
-}
+  PATINA_INLINE AlongLine(const Lanes& at, int period) {
+    const Between x = between(at, period);
+    places = simd::places_of(x.first, period + simd::kWindow);
+    fraction = x.fraction;
+  }
+
+  PATINA_INLINE Line operator()(const std::vector<float>& values) const {
+    return line(simd::take(values.data(), places), simd::take(values.data() + 1, places), fraction);
+  }
+};
+
+/// A row's lines, of either channel.
+struct VolumeLines {
+  std::array<VolumeLine, 2> lines;
+
+  void set_row(const Warp& warp, std::ptrdiff_t row) {
+    const RowBetween y(warp.y[row] * warp.scale, warp.volume.period),
+        z(warp.z[row] * warp.scale, warp.volume.period);
+    for (int c = 0; c < 2; ++c) lines[static_cast<std::size_t>(c)].set(warp.volume, c, y, z);
+  }
+};
 
 }  // namespace
 
@@ -124,35 +146,54 @@ void look_up_backward(const std::vector<Plane>& planes, const float* x, const fl
   for (std::size_t p = 0; p < planes.size(); ++p) by_weight[p] += simd::sum(by_weights[p]);
 }
 
-void look_up(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-             const Two& to) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Cell cell = cell_of(volume, simd::load(place[0] + i, count), simd::load(place[1] + i, count),
-                              simd::load(place[2] + i, count));
-    for (int c = 0; c < 2; ++c)
-      simd::store(sample(volume, cell, c).value, to[static_cast<std::size_t>(c)] + i, count);
+void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {
+  VolumeLines row;
+  for (std::ptrdiff_t r = begin; r < end; ++r) {
+    row.set_row(warp, r);
+    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, warp.columns);
+      const Lanes x = simd::load(warp.x + i, count);
+      const AlongLine along(x * warp.scale, warp.volume.period);
+      const Lanes moved_x = x + along(row.lines[0].values).value * warp.amplitude,
+                  moved_y = warp.y[r] + along(row.lines[1].values).value * warp.amplitude;
+      simd::store(moved_x, to[0] + r * warp.columns + i, count);
+      simd::store(moved_y, to[1] + r * warp.columns + i, count);
+    }
   }
 }
 
-void look_up_backward(const Volume& volume, const ConstThree& place, std::ptrdiff_t begin, std::ptrdiff_t end,
-                      const ConstTwo& gradient, const Three& by_place) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Cell cell = cell_of(volume, simd::load(place[0] + i, count), simd::load(place[1] + i, count),
-                              simd::load(place[2] + i, count));
-    Lanes by_x{}, by_y{}, by_z{};
-    for (int c = 0; c < 2; ++c) {
-      const VolumeSample s = sample(volume, cell, c);
-      const Lanes by_value = simd::load_or_zero(gradient[static_cast<std::size_t>(c)] + i, count);
-      by_x += by_value * s.by_x;
-      by_y += by_value * s.by_y;
-      by_z += by_value * s.by_z;
+void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
+                   const WarpGradient& by) {
+  VolumeLines row;
+  Lanes by_scale{}, by_amplitude{};
+  for (std::ptrdiff_t r = begin; r < end; ++r) {
+    row.set_row(warp, r);
+    Lanes by_y{}, by_z{};
+    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, warp.columns);
+      const Lanes x = simd::load(warp.x + i, count);
+      const AlongLine along(x * warp.scale, warp.volume.period);
+      std::array<Lanes, 2> given;
+      Lanes along_x{}, along_y{}, along_z{};
+      for (std::size_t c = 0; c < 2; ++c) {
+        given[c] = simd::load_or_zero(gradient[c] + r * warp.columns + i, count);
+        const Line seen = along(row.lines[c].values);
+        by_amplitude += given[c] * seen.value;
+        along_x += given[c] * seen.slope;
+        along_y += given[c] * along(row.lines[c].by_y).value;
+        along_z += given[c] * along(row.lines[c].by_z).value;
+      }
+      by_scale += along_x * x + along_y * warp.y[r] + along_z * warp.z[r];
+      const float steepness = warp.amplitude * warp.scale;
+      simd::add(given[0] + along_x * steepness, by.x + i, count);
+      by_y += given[1] + along_y * steepness;
+      by_z += along_z * steepness;
     }
-    simd::store(by_x, by_place[0] + i, count);
-    simd::store(by_y, by_place[1] + i, count);
-    simd::store(by_z, by_place[2] + i, count);
+    by.y[r] = static_cast<float>(simd::sum(by_y));
+    by.z[r] = static_cast<float>(simd::sum(by_z));
   }
+  by.scalars[0] += simd::sum(by_scale) * warp.amplitude;
+  by.scalars[1] += simd::sum(by_amplitude);
 }
 
 }  // namespace patina::noise::PATINA_TARGET

@@ -66,36 +66,57 @@ struct LookUpPlanes : torch::autograd::Function<LookUpPlanes> {
   }
 };
 
-noise::Volume laid_out(const at::Tensor& volume) {
-  return {volume.data_ptr<float>(), static_cast<int>(volume.size(4)) - 1};
-}
+/// The tensors of a warp, in the order of its inputs.
+struct WarpTensors {
+  at::Tensor volume, x, y, z, scale, amplitude;
 
-struct LookUpVolume : torch::autograd::Function<LookUpVolume> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& x, const at::Tensor& y,
-                            const at::Tensor& z, const at::Tensor& volume) {
-    const at::Tensor channels = at::empty({2, x.size(0), x.size(1)}, x.options());
-    float* to = channels.data_ptr<float>();
-    over_blocks(x.numel(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      noise::look_up(laid_out(volume), {x.data_ptr<float>(), y.data_ptr<float>(), z.data_ptr<float>()}, begin,
-                     end, {to, to + x.numel()});
-    });
-    context->save_for_backward({x, y, z, volume});
-    return channels;
+  noise::Warp laid_out() const {
+    return {{volume.data_ptr<float>(), static_cast<int>(volume.size(4)) - 1},
+            x.data_ptr<float>(),
+            y.data_ptr<float>(),
+            z.data_ptr<float>(),
+            x.numel(),
+            *scale.data_ptr<float>(),
+            *amplitude.data_ptr<float>()};
+  }
+};
+
+struct LookUpWarp : torch::autograd::Function<LookUpWarp> {
+  static variable_list forward(AutogradContext* context, const at::Tensor& volume, const at::Tensor& x,
+                               const at::Tensor& y, const at::Tensor& z, const at::Tensor& scale,
+                               const at::Tensor& amplitude) {
+    const noise::Warp warp = WarpTensors{volume, x, y, z, scale, amplitude}.laid_out();
+    const at::Tensor moved_x = at::empty({y.numel(), x.numel()}, x.options()),
+                     moved_y = at::empty_like(moved_x);
+    over_blocks(y.numel(), rows_of_a_block(x.numel()),
+                [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+                  noise::warp(warp, begin, end, {moved_x.data_ptr<float>(), moved_y.data_ptr<float>()});
+                });
+    context->save_for_backward({volume, x, y, z, scale, amplitude});
+    return {moved_x, moved_y};
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const variable_list saved = context->get_saved_variables();
-    const at::Tensor &x = saved[0], &y = saved[1], &z = saved[2];
-    const at::Tensor gradient = outputs.front().contiguous();
-    const float* by_channel = gradient.data_ptr<float>();
-    const at::Tensor by_x = at::empty_like(x), by_y = at::empty_like(y), by_z = at::empty_like(z);
-    over_blocks(x.numel(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      noise::look_up_backward(laid_out(saved[3]),
-                              {x.data_ptr<float>(), y.data_ptr<float>(), z.data_ptr<float>()}, begin, end,
-                              {by_channel, by_channel + x.numel()},
-                              {by_x.data_ptr<float>(), by_y.data_ptr<float>(), by_z.data_ptr<float>()});
-    });
-    return {by_x, by_y, by_z, {}};
+    const at::Tensor &x = saved[1], &y = saved[2], &z = saved[3];
+    const noise::Warp warp = WarpTensors{saved[0], x, y, z, saved[4], saved[5]}.laid_out();
+    const at::Tensor by_moved_x = outputs[0].contiguous(), by_moved_y = outputs[1].contiguous();
+    const at::Tensor by_x = at::empty_like(x), by_y = at::empty_like(y), by_z = at::empty_like(z),
+                     by_scale = at::empty_like(saved[4]), by_amplitude = at::empty_like(saved[5]);
+    const auto columns = static_cast<std::size_t>(x.numel());
+    const std::vector<double> sums = sums_over_blocks(
+        y.numel(), rows_of_a_block(x.numel()), columns + 2,
+        [&](std::int64_t begin, std::int64_t end, double* of_block) {
+          std::vector<float> by_columns(columns);
+          noise::warp_backward(
+              warp, begin, end, {by_moved_x.data_ptr<float>(), by_moved_y.data_ptr<float>()},
+              {by_columns.data(), by_y.data_ptr<float>(), by_z.data_ptr<float>(), of_block + columns});
+          std::ranges::copy(by_columns, of_block);
+        });
+    std::copy_n(sums.begin(), columns, by_x.data_ptr<float>());
+    *by_scale.data_ptr<float>() = static_cast<float>(sums[columns]);
+    *by_amplitude.data_ptr<float>() = static_cast<float>(sums[columns + 1]);
+    return {{}, by_x, by_y, by_z, by_scale, by_amplitude};
   }
 };
 
@@ -112,9 +133,11 @@ at::Tensor look_up_planes(const std::vector<NoisePlane>& planes, const at::Tenso
   return LookUpPlanes::apply(x.contiguous(), y.contiguous(), weights.contiguous(), values, levels);
 }
 
-at::Tensor look_up_volume(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                          const at::Tensor& z) {
-  return LookUpVolume::apply(x.contiguous(), y.contiguous(), z.contiguous(), volume);
+WarpedGrid look_up_warp(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                        const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude) {
+  const variable_list moved = LookUpWarp::apply(volume, x.contiguous(), y.contiguous(), z.contiguous(),
+                                                scale.contiguous(), amplitude.contiguous());
+  return {moved[0], moved[1]};
 }
 
 }  // namespace patina

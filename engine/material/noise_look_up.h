@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/material/value_noise.h"
+
 namespace patina {
 
 /// One level of value noise among those that are mixed: runs of 2^x_level by 2^y_level values.
@@ -21,8 +23,8 @@ struct NoisePlane {
 at::Tensor look_up_planes(const std::vector<NoisePlane>& planes, const at::Tensor& x, const at::Tensor& y,
                           const at::Tensor& weights);
 
-/// @param volume  [1, 2, period + 1, period + 1, period + 1]   @param x, y, z  [h, w]   @return [2, h, w]
-at::Tensor look_up_volume(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                          const at::Tensor& z);
+/// warp_grid() (value_noise.h).
+WarpedGrid look_up_warp(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                        const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude);
 
 }  // namespace patina

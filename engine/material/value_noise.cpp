@@ -123,20 +123,24 @@ at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int chann
                  "circular");
 }
 
-at::Tensor volume_noise(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                        const at::Tensor& z) {
-  return x.scalar_type() == at::kFloat ? look_up_volume(volume, x, y, z)
-                                       : volume_noise_by_tensors(volume, x, y, z);
+WarpedGrid warp_grid(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y, const at::Tensor& z,
+                     const at::Tensor& scale, const at::Tensor& amplitude) {
+  if (x.scalar_type() != at::kFloat) return warp_grid_by_tensors(volume, x, y, z, scale, amplitude);
+  return look_up_warp(volume, x, y, z, scale, amplitude);
 }
 
-at::Tensor volume_noise_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                                   const at::Tensor& z) {
-  const std::int64_t size = volume.size(4);
-  const at::Tensor grid =
-      at::stack({in_one_period(x, size), in_one_period(y, size), in_one_period(z, size)}, -1);
-  return at::grid_sampler_3d(volume.to(grid.scalar_type()), grid.view({1, 1, grid.size(0), grid.size(1), 3}),
-                             kLinear, kZeros, /*align_corners=*/true)[0]
-      .squeeze(1);
+WarpedGrid warp_grid_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                                const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude) {
+  const std::int64_t rows = y.numel(), columns = x.numel(), size = volume.size(4);
+  const auto axis = [&](const at::Tensor& coordinate) {
+    return in_one_period(coordinate * scale, size).expand({rows, columns});
+  };
+  const at::Tensor grid = at::stack({axis(x), axis(y.view({rows, 1})), axis(z.view({rows, 1}))}, -1);
+  const at::Tensor moved =
+      amplitude * at::grid_sampler_3d(volume.to(grid.scalar_type()), grid.view({1, 1, rows, columns, 3}),
+                                      kLinear, kZeros, /*align_corners=*/true)[0]
+                      .squeeze(1);
+  return {x + moved[0], y.view({rows, 1}) + moved[1]};
 }
 
 }  // namespace patina

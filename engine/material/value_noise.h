@@ -34,11 +34,20 @@ at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, 
 /// repetition: [1, channels, period + 1, period + 1, period + 1].
 at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int channels, int period);
 
-/// @param volume   of two channels
-/// @param x, y, z  [h, w]   @return [2, h, w]; in float32 in one pass, as value_noise()
-at::Tensor volume_noise(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                        const at::Tensor& z);
-at::Tensor volume_noise_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                                   const at::Tensor& z);
+/// Where the points of a grid have got to, [h, w] each.
+struct WarpedGrid {
+  at::Tensor x, y;
+};
+
+/// A grid in space, whose points have moved along x and y by noise (domain warping): x + amplitude *
+/// N_0(scale x, scale y, scale z), and y by the other channel.
+/// @param volume            of two channels
+/// @param x, y, z           [w], [h], [h]: of columns, and of rows
+/// @param scale, amplitude  scalars
+/// In float32 in one pass, as value_noise().
+WarpedGrid warp_grid(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y, const at::Tensor& z,
+                     const at::Tensor& scale, const at::Tensor& amplitude);
+WarpedGrid warp_grid_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
+                                const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude);
 
 }  // namespace patina

@@ -25,9 +25,9 @@ constexpr double kNarrowestVignette = 0.1;  // cm
 // Noise that breaks up the highlight: small, and the same for all wood.
 constexpr double kGrainHeight = 0.004;  // cm
 
-/// Where the cut meets the trunk, whose axis is z: cm, [n + 1, n + 1] with neighbours (open_normals).
+/// Where the cut meets the trunk, whose axis is z: cm, [n + 1] with neighbours (open_normals).
 struct Cut {
-  at::Tensor x, y, z;
+  at::Tensor x, y, z;    ///< of columns, of rows, and of rows
   at::Tensor stretch_y;  ///< scalar: how far y goes per cm of the image's
 };
 
@@ -36,23 +36,14 @@ struct Cut {
 Cut cut_through(const at::Tensor& centre, const at::Tensor& angle, double size_cm, int n) {
   const at::Tensor pixel = at::arange(-1, n + 1, centre.options().requires_grad(false));
   const at::Tensor place = ((pixel + 0.5) / n - 0.5) * size_cm;
-  const at::Tensor along_x = place.narrow(0, 1, n + 1).view({1, n + 1}).expand({n + 1, n + 1});
-  const at::Tensor along_y = place.narrow(0, 0, n + 1).view({n + 1, 1}).expand({n + 1, n + 1});
+  const at::Tensor columns = place.narrow(0, 1, n + 1), rows = place.narrow(0, 0, n + 1);
   const at::Tensor radians = angle * (std::numbers::pi / 180);
   const at::Tensor sine = radians.sin(), cosine = radians.cos();
-  return {along_x + centre[0], along_y * sine + centre[1], along_y * cosine + centre[2], sine.abs()};
-}
-
-/// Moved by a smooth random field: gnarl. @param scale  1/cm   @param amplitude  cm
-Cut distorted(const Cut& cut, const at::Tensor& scale, const at::Tensor& amplitude,
-              const at::Tensor& volume) {
-  const at::Tensor shift =
-      amplitude * volume_noise(volume, cut.x * scale, cut.y * scale, cut.z * (kAlongGrain * scale));
-  return {cut.x + shift[0], cut.y + shift[1], cut.z, cut.stretch_y};
+  return {columns + centre[0], rows * sine + centre[1], rows * cosine + centre[2], sine.abs()};
 }
 
 /// Distance from the pith, varying from ring to ring, in rings.
-at::Tensor rings_at(const Cut& cut, const at::Tensor& scale, const at::Tensor& amplitude,
+at::Tensor rings_at(const WarpedGrid& cut, const at::Tensor& scale, const at::Tensor& amplitude,
                     const at::Tensor& ring_size, const ValueNoise& noise, double pixel_cm) {
   const at::Tensor radius = (cut.x.square() + cut.y.square() + 1e-6).sqrt();
   const at::Tensor width = (scale * pixel_cm).clamp_min(1e-6);
@@ -83,8 +74,10 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
   const WoodNoise noise = z.wood();
   const double pixel_cm = capture.size_cm / resolution;
 
-  const Cut cut = distorted(cut_through(centre, cut_angle, capture.size_cm, resolution), gdn_scale,
-                            gdn_amplitude, noise.distortion);
+  const Cut plane = cut_through(centre, cut_angle, capture.size_cm, resolution);
+  // Gnarl.
+  const WarpedGrid cut =
+      warp_grid(noise.distortion, plane.x, plane.y, plane.z * kAlongGrain, gdn_scale, gdn_amplitude);
   const at::Tensor rings = rings_at(cut, grn_scale, grn_amplitude, ring_size, noise.ring_widths, pixel_cm);
   const at::Tensor with_neighbours = latewood_ratio(profile, rings, ring_widths(rings));
   const at::Tensor latewood = without_neighbours(with_neighbours);
@@ -95,7 +88,7 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
   };
   const at::Tensor width = ssn_scale * pixel_cm;
   const at::Tensor streaks = value_noise(noise.streaks, across(cut.x, 0), across(cut.y, 1), width,
-                                         (width * cut.stretch_y).clamp_min(1e-6));
+                                         (width * plane.stretch_y).clamp_min(1e-6));
 
   Surface surface;
   surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, ssn_power * streaks + 1);

@@ -1,4 +1,5 @@
 #include <ATen/ops/full.h>
+#include <ATen/ops/stack.h>
 #include <ATen/ops/tensor.h>
 #include <gtest/gtest.h>
 
@@ -31,12 +32,19 @@ TEST(NoiseInOnePass, EqualsTensorOperationsWithItsGradientAtEveryMixtureOfLevels
       }
 }
 
-TEST(NoiseInOnePass, OfAVolumeEqualsTensorOperationsWithItsGradient) {
+TEST(WarpInOnePass, EqualsTensorOperationsWithItsGradient) {
+  using Inputs = std::vector<at::Tensor>;
   const at::Tensor volume = make_noise_volume(3, 1, 2, 16);
-  expect_same(
-      [&](const std::vector<at::Tensor>& i) { return volume_noise(volume, i[0], i[1], i[2]); },
-      [&](const std::vector<at::Tensor>& i) { return volume_noise_by_tensors(volume, i[0], i[1], i[2]); },
-      {places(0.0517, -31.013), places(-0.0311, 7.017), places(0.0173, 0.519)});
+  const auto both = [](const WarpedGrid& grid) { return at::stack({grid.x, grid.y}); };
+  const auto along = [](double begin, double step, int count) {
+    return at::arange(count, at::kDouble) * step + begin;
+  };
+  for (const double scale : {0.31, 4.7, 55.1})  // within a lattice cell, across some, and across periods
+    expect_same(
+        [&](const Inputs& i) { return both(warp_grid(volume, i[0], i[1], i[2], i[3], i[4])); },
+        [&](const Inputs& i) { return both(warp_grid_by_tensors(volume, i[0], i[1], i[2], i[3], i[4])); },
+        {along(-3.0131, 0.1717, 37), along(2.017, -0.0911, 41), along(0.519, 0.0733, 41),
+         at::tensor(scale, at::kDouble), at::tensor(0.83, at::kDouble)});
 }
 
 TEST(NoiseInOnePass, OfAPlaceThatIsNoNumberIsNone) {
@@ -46,11 +54,12 @@ TEST(NoiseInOnePass, OfAPlaceThatIsNoNumberIsNone) {
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30F}) {
     const at::Tensor place = at::full({1, 1}, odd);
     value_noise(noise, place, one, one[0][0], one[0][0]);  // reads nothing outside the lattice
-    volume_noise(volume, one, place, one);
+    warp_grid(volume, one[0], place[0], one[0], one[0][0], one[0][0]);
   }
   const at::Tensor nowhere = at::full({1, 1}, std::numeric_limits<float>::quiet_NaN());
   EXPECT_TRUE(value_noise(noise, nowhere, one, one[0][0], one[0][0]).isnan().item<bool>());
-  EXPECT_TRUE(volume_noise(volume, one, one, nowhere).isnan().all().item<bool>());
+  EXPECT_TRUE(
+      warp_grid(volume, one[0], one[0], nowhere[0], one[0][0], one[0][0]).x.isnan().all().item<bool>());
 }
 
 }  // namespace
