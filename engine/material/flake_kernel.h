@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+
+#include "engine/material/planes.h"
 
 /// The flakes' lobe (flake_lobe.h) in one pass over pixels, and its gradient in another.
 namespace patina::flake {
@@ -14,9 +15,6 @@ constexpr float kSpread = 0.25F;
 struct Gloss {
   float steepness, square_alpha;
 };
-
-using Planes = std::array<float*, 3>;
-using ConstPlanes = std::array<const float*, 3>;
 
 /// Pixels begin ... end - 1 of flake_lobe(): normals and roughness.
 void lobe(const Gloss& gloss, const ConstPlanes& flakes, std::ptrdiff_t begin, std::ptrdiff_t end,

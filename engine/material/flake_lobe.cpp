@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/material/flake_kernel.h"
+#include "engine/material/image_planes.h"
 #include "engine/material/pixel_blocks.h"
 
 namespace patina {
@@ -16,18 +17,6 @@ namespace {
 
 using torch::autograd::AutogradContext;
 using torch::autograd::variable_list;
-
-/// @param image  [3, n, n], contiguous
-flake::Planes planes_of(const at::Tensor& image) {
-  float* first = image.data_ptr<float>();
-  const std::int64_t pixels = image.numel() / 3;
-  return {first, first + pixels, first + 2 * pixels};
-}
-
-flake::ConstPlanes const_planes_of(const at::Tensor& image) {
-  const flake::Planes planes = planes_of(image);
-  return {planes[0], planes[1], planes[2]};
-}
 
 flake::Lobe lobe_of(const at::Tensor& normal, const at::Tensor& roughness) {
   return {const_planes_of(normal), roughness.data_ptr<float>()};

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/material/heightfield_kernel.h"
+#include "engine/material/image_planes.h"
 #include "engine/material/look_up.h"
 
 namespace patina {
@@ -103,10 +104,10 @@ struct Normals : torch::autograd::Function<Normals> {
   }
 
  private:
-  static std::array<float*, 3> planes_at(const at::Tensor& normal, std::int64_t row) {
-    const std::int64_t n = normal.size(1);
-    float* data = normal.data_ptr<float>() + row * n;
-    return {data, data + n * n, data + 2 * n * n};
+  static Planes planes_at(const at::Tensor& normal, std::int64_t row) {
+    Planes planes = planes_of(normal);
+    for (float*& plane : planes) plane += row * normal.size(2);
+    return planes;
   }
 };
 

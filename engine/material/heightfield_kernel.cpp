@@ -6,12 +6,12 @@
 namespace patina {
 
 void normals_of_row(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                    const std::array<float*, 3>& normal) {
+                    const Planes& normal) {
   PATINA_ON_TARGET(normals_of_row(above, here, per_pixel, n, normal));
 }
 
 void normals_of_row_backward(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                             const std::array<const float*, 3>& by_normal, float* by_above, float* by_here) {
+                             const ConstPlanes& by_normal, float* by_above, float* by_here) {
   PATINA_ON_TARGET(normals_of_row_backward(above, here, per_pixel, n, by_normal, by_above, by_here));
 }
 

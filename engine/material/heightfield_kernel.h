@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+
+#include "engine/material/planes.h"
 
 namespace patina {
 
@@ -9,10 +10,10 @@ namespace patina {
 /// @param above  heights of the row above, [n], cm
 /// @param here   its own, and one to the right of the last, [n + 1]
 void normals_of_row(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                    const std::array<float*, 3>& normal);
+                    const Planes& normal);
 
 /// The adjoint: adds the gradient by the heights, given that by the normals.
 void normals_of_row_backward(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                             const std::array<const float*, 3>& by_normal, float* by_above, float* by_here);
+                             const ConstPlanes& by_normal, float* by_above, float* by_here);
 
 }  // namespace patina

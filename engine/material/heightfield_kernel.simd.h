@@ -23,7 +23,7 @@ PATINA_INLINE Slopes slopes(const float* above, const float* here, float per_pix
 }  // namespace
 
 void normals_of_row(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                    const std::array<float*, 3>& normal) {
+                    const Planes& normal) {
   for (std::ptrdiff_t i = 0; i < n; i += simd::kLanes) {
     const int count = simd::lanes_from(i, n);
     const Slopes s = slopes(above + i, here + i, per_pixel, count);
@@ -34,7 +34,7 @@ void normals_of_row(const float* above, const float* here, float per_pixel, std:
 }
 
 void normals_of_row_backward(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
-                             const std::array<const float*, 3>& by_normal, float* by_above, float* by_here) {
+                             const ConstPlanes& by_normal, float* by_above, float* by_here) {
   for (std::ptrdiff_t i = 0; i < n; i += simd::kLanes) {
     const int count = simd::lanes_from(i, n);
     const Slopes s = slopes(above + i, here + i, per_pixel, count);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/material/capture_view.h"
+#include "engine/material/image_planes.h"
 #include "engine/material/pixel_blocks.h"
 #include "engine/material/shading.h"
 #include "engine/material/shading_kernel.h"
@@ -105,17 +106,6 @@ Laid lay_out(const variable_list& tensors, const std::vector<LobeInputs>& lobes,
     laid.problem.lobes.push_back(
         {field(lobe.normal), field(lobe.f0), field(lobe.roughness_x), field(lobe.roughness_y)});
   return laid;
-}
-
-Planes planes_of(const at::Tensor& image) {
-  float* data = image.data_ptr<float>();
-  const std::int64_t pixels = image.size(1) * image.size(2);
-  return {data, data + pixels, data + 2 * pixels};
-}
-
-ConstPlanes const_planes_of(const at::Tensor& image) {
-  const Planes planes = planes_of(image);
-  return {planes[0], planes[1], planes[2]};
 }
 
 CaptureView view_of(double size_cm, double camera_cm, std::int64_t resolution) {

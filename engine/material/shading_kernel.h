@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/material/capture.h"
+#include "engine/material/planes.h"
 
 namespace patina {
 
@@ -49,9 +50,6 @@ struct ShadingGradient {
   std::vector<FieldGradient> fields;  ///< as ShadingProblem::fields
   double light = 0, vignette_sigma = 0;
 };
-
-using Planes = std::array<float*, 3>;
-using ConstPlanes = std::array<const float*, 3>;
 
 /// Rows begin ... end - 1 of display(shade(surface)).
 void shade_pixels(const ShadingProblem& problem, std::ptrdiff_t begin, std::ptrdiff_t end,

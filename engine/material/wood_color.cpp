@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/material/image_planes.h"
 #include "engine/material/pixel_blocks.h"
 #include "engine/material/wood_kernel.h"
 
@@ -23,22 +24,13 @@ wood::Colour colour_of(const at::Tensor& colour) {
   return {c[0], c[1], c[2]};
 }
 
-/// @param image  [3, h, w], contiguous
-wood::ConstPlanes planes_of(const at::Tensor& image) {
-  const float* first = image.data_ptr<float>();
-  const std::int64_t pixels = image.numel() / 3;
-  return {first, first + pixels, first + 2 * pixels};
-}
-
 struct WoodColor : torch::autograd::Function<WoodColor> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& earlywood, const at::Tensor& latewood,
                             const at::Tensor& ratio, const at::Tensor& exponent) {
     const at::Tensor color = at::empty({3, ratio.size(0), ratio.size(1)}, ratio.options());
-    float* to = color.data_ptr<float>();
-    const std::int64_t pixels = ratio.numel();
-    over_blocks(pixels, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    over_blocks(ratio.numel(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
       wood::wood_color(colour_of(earlywood), colour_of(latewood), ratio.data_ptr<float>(),
-                       exponent.data_ptr<float>(), begin, end, {to, to + pixels, to + 2 * pixels});
+                       exponent.data_ptr<float>(), begin, end, planes_of(color));
     });
     context->save_for_backward({earlywood, latewood, ratio, exponent, color});
     return color;
@@ -53,8 +45,8 @@ struct WoodColor : torch::autograd::Function<WoodColor> {
     const std::vector<double> sums =
         sums_over_blocks(ratio.numel(), 6, [&](std::int64_t begin, std::int64_t end, double* by_colours) {
           wood::wood_color_backward(colour_of(earlywood), colour_of(latewood), ratio.data_ptr<float>(),
-                                    exponent.data_ptr<float>(), begin, end, planes_of(saved[4]),
-                                    planes_of(gradient), by_ratio.data_ptr<float>(),
+                                    exponent.data_ptr<float>(), begin, end, const_planes_of(saved[4]),
+                                    const_planes_of(gradient), by_ratio.data_ptr<float>(),
                                     by_exponent.data_ptr<float>(), by_colours, by_colours + 3);
         });
     std::copy_n(sums.begin(), 3, by_earlywood.data_ptr<float>());

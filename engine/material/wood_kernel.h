@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/material/planes.h"
+
 /// Growth rings (growth_rings.h) and the colour of wood (wood_color.h) in one pass over pixels, and their
 /// gradients.
 namespace patina::wood {
@@ -37,8 +39,6 @@ void ring_widths(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t en
 void ring_widths_backward(const RingField& field, const float* width, const float* gradient, float* by_rings);
 
 using Colour = std::array<float, 3>;
-using Planes = std::array<float*, 3>;
-using ConstPlanes = std::array<const float*, 3>;
 
 /// Pixels begin ... end - 1 of wood_color().
 void wood_color(const Colour& earlywood, const Colour& latewood, const float* ratio, const float* exponent,

@@ -54,7 +54,7 @@ struct Places {
   bool near;
 };
 
-/// @param at    entries of a table   @param size  how many it has behind the first that is ever asked for
+/// @param at    entries of a table   @param size  how many it has, less how far ahead of it take() may begin
 PATINA_INLINE Places places_of(const Bits& at, std::ptrdiff_t size) {
   typedef std::uint32_t Counts __attribute__((vector_size(sizeof(Bits))));
   const std::int32_t from = at[0] < at[kLanes - 1] ? at[0] : at[kLanes - 1];
