@@ -9,6 +9,7 @@
 #include "engine/material/look_up.h"
 
 namespace patina {
+
 Signature Flake::signature() {
   return {{"light",    "topF0",    "topRough", "flakeF0_r", "flakeF0_g", "flakeF0_b", "flakeRough",
            "flakeNDF", "scale",    "shift_x",  "shift_y",   "weight",    "glowRough", "glowF0_r",

@@ -1,8 +1,6 @@
 #include "engine/material/noise_kernel.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #define PATINA_KERNEL "engine/material/noise_kernel.simd.h"
 #include "engine/simd/each_target.h"

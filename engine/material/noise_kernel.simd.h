@@ -48,37 +48,24 @@ PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) 
           across.slope / plane.run_y};
 }
 
-/// Where a row lies between two neighbours of an axis of the lattice. One that is no number lies at the
-/// first, and stays none in its fraction.
-struct RowBetween {
-  int first;
-  float fraction;
-
-  RowBetween(float at, int period) {
-    const auto width = static_cast<float>(period);
-    const float inside = at - std::floor(at / width) * width;
-    first = inside > 0 ? static_cast<int>(std::min(inside, width - 1)) : 0;
-    fraction = inside - static_cast<float>(first);
-  }
-};
-
 /// What a row of the grid meets of a channel: its values at each x of the lattice, and how they change along
 /// y and z.
 struct VolumeLine {
   std::vector<float> values, by_y, by_z;  ///< [period + 1], and what simd::pick() may read behind it
 
-  void set(const Volume& volume, int channel, const RowBetween& y, const RowBetween& z) {
+  /// @param y, z  of the row, in every lane
+  void set(const Volume& volume, int channel, const Between& y, const Between& z) {
     const int side = volume.period + 1;
     for (std::vector<float>* line : {&values, &by_y, &by_z})
       line->resize(static_cast<std::size_t>(side + simd::kWindow));
-    const float* near = volume.values + ((channel * side + z.first) * side + y.first) * side;
+    const float* near = volume.values + ((channel * side + z.first[0]) * side + y.first[0]) * side;
     const float* far = near + side * side;
     for (int x = 0; x < side; ++x) {
       const float near_slope = near[side + x] - near[x], far_slope = far[side + x] - far[x];
-      const float here = near[x] + near_slope * y.fraction, there = far[x] + far_slope * y.fraction;
+      const float here = near[x] + near_slope * y.fraction[0], there = far[x] + far_slope * y.fraction[0];
       const auto at = static_cast<std::size_t>(x);
-      values[at] = here + (there - here) * z.fraction;
-      by_y[at] = near_slope + (far_slope - near_slope) * z.fraction;
+      values[at] = here + (there - here) * z.fraction[0];
+      by_y[at] = near_slope + (far_slope - near_slope) * z.fraction[0];
       by_z[at] = there - here;
     }
   }
@@ -105,8 +92,10 @@ struct VolumeLines {
   std::array<VolumeLine, 2> lines;
 
   void set_row(const Warp& warp, std::ptrdiff_t row) {
-    const RowBetween y(warp.y[row] * warp.scale, warp.volume.period),
-        z(warp.z[row] * warp.scale, warp.volume.period);
+    const auto at = [&](float coordinate) {
+      return between(coordinate * warp.scale - Lanes{}, warp.volume.period);
+    };
+    const Between y = at(warp.y[row]), z = at(warp.z[row]);
     for (int c = 0; c < 2; ++c) lines[static_cast<std::size_t>(c)].set(warp.volume, c, y, z);
   }
 };
@@ -164,6 +153,7 @@ void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two&
 
 void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
                    const WarpGradient& by) {
+  const float steepness = warp.amplitude * warp.scale;
   VolumeLines row;
   Lanes by_scale{}, by_amplitude{};
   for (std::ptrdiff_t r = begin; r < end; ++r) {
@@ -184,7 +174,6 @@ void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, c
         along_z += given[c] * along(row.lines[c].by_z).value;
       }
       by_scale += along_x * x + along_y * warp.y[r] + along_z * warp.z[r];
-      const float steepness = warp.amplitude * warp.scale;
       simd::add(given[0] + along_x * steepness, by.x + i, count);
       by_y += given[1] + along_y * steepness;
       by_z += along_z * steepness;

@@ -66,40 +66,38 @@ struct LookUpPlanes : torch::autograd::Function<LookUpPlanes> {
   }
 };
 
-/// The tensors of a warp, in the order of its inputs.
-struct WarpTensors {
-  at::Tensor volume, x, y, z, scale, amplitude;
-
-  noise::Warp laid_out() const {
-    return {{volume.data_ptr<float>(), static_cast<int>(volume.size(4)) - 1},
-            x.data_ptr<float>(),
-            y.data_ptr<float>(),
-            z.data_ptr<float>(),
-            x.numel(),
-            *scale.data_ptr<float>(),
-            *amplitude.data_ptr<float>()};
-  }
-};
+/// @param tensors  volume, x, y, z, scale, amplitude
+noise::Warp warp_of(const variable_list& tensors) {
+  const at::Tensor& volume = tensors[0];
+  return {{volume.data_ptr<float>(), static_cast<int>(volume.size(4)) - 1},
+          tensors[1].data_ptr<float>(),
+          tensors[2].data_ptr<float>(),
+          tensors[3].data_ptr<float>(),
+          tensors[1].numel(),
+          *tensors[4].data_ptr<float>(),
+          *tensors[5].data_ptr<float>()};
+}
 
 struct LookUpWarp : torch::autograd::Function<LookUpWarp> {
   static variable_list forward(AutogradContext* context, const at::Tensor& volume, const at::Tensor& x,
                                const at::Tensor& y, const at::Tensor& z, const at::Tensor& scale,
                                const at::Tensor& amplitude) {
-    const noise::Warp warp = WarpTensors{volume, x, y, z, scale, amplitude}.laid_out();
+    const variable_list tensors{volume, x, y, z, scale, amplitude};
+    const noise::Warp warp = warp_of(tensors);
     const at::Tensor moved_x = at::empty({y.numel(), x.numel()}, x.options()),
                      moved_y = at::empty_like(moved_x);
     over_blocks(y.numel(), rows_of_a_block(x.numel()),
                 [&](std::int64_t, std::int64_t begin, std::int64_t end) {
                   noise::warp(warp, begin, end, {moved_x.data_ptr<float>(), moved_y.data_ptr<float>()});
                 });
-    context->save_for_backward({volume, x, y, z, scale, amplitude});
+    context->save_for_backward(tensors);
     return {moved_x, moved_y};
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const variable_list saved = context->get_saved_variables();
     const at::Tensor &x = saved[1], &y = saved[2], &z = saved[3];
-    const noise::Warp warp = WarpTensors{saved[0], x, y, z, saved[4], saved[5]}.laid_out();
+    const noise::Warp warp = warp_of(saved);
     const at::Tensor by_moved_x = outputs[0].contiguous(), by_moved_y = outputs[1].contiguous();
     const at::Tensor by_x = at::empty_like(x), by_y = at::empty_like(y), by_z = at::empty_like(z),
                      by_scale = at::empty_like(saved[4]), by_amplitude = at::empty_like(saved[5]);

@@ -32,8 +32,8 @@ void there_and_back(const Summary& summary, const at::Tensor& images) {
 }
 
 void report(const Summary& summary, int side, int repeats) {
-  constexpr int kRounds =
-      20;  // of every measurement, so that what a new thread has to make counts for little
+  // Of every measurement, so that what a new thread has to make counts for little.
+  constexpr int kRounds = 20;
   const at::Tensor images = at::rand({kChains, 3, side, side});
   const int threads = std::min(kChains, static_cast<int>(std::thread::hardware_concurrency()));
   const auto batch = [&](int count) {
