@@ -52,6 +52,7 @@ patina_sanitized_test(run thread
   SOURCES ${thread_sources} ${engine}/run/warmup_meeting.cpp ${engine}/io/append_file.cpp ${engine}/io/file.cpp
           ${engine}/io/temporary_folder.cpp io/chain_csv_readers_test.cpp
   LIBRARIES Eigen3::Eigen OpenSSL::Crypto)
+set_target_properties(test-run-tsan PROPERTIES UNITY_BUILD OFF)  # of Eigen's templates, as patina_sampling
 
 # With the preset `sanitize`, minutes to compile: whole chains on a cheap density, killed and taken up again, out of
 # step, on a full disk.
@@ -68,6 +69,7 @@ if(PATINA_SANITIZE)
               ${engine}/io/temporary_folder.cpp run/resume_test.cpp run/disturbed_chains_test.cpp
       LIBRARIES Eigen3::Eigen lbfgs OpenSSL::Crypto ${TORCH_LIBRARIES} ${CMAKE_DL_LIBS})
   endforeach()
+  set_target_properties(test-chains-asan test-chains-tsan PROPERTIES UNITY_BUILD OFF)
 
   if(PATINA_GUI)
     # The window under random input. The engine below it is as it is.

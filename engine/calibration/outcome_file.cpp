@@ -25,10 +25,10 @@ std::vector<std::string> row_of(const PhotoOutcome& outcome) {
   std::vector<std::string> row{std::to_string(outcome.photo)};
   for (const double number : {outcome.seconds, outcome.worst_rhat, outcome.least_ess, outcome.distance,
                               outcome.widening, outcome.simulated})
-    row.push_back(number_text(number));
+    row.push_back(exact_text(number));
   for (const TruthAndPosterior& quantity : outcome.quantities)
     for (const double number : {quantity.place, quantity.sd_over_prior_sd, quantity.rhat})
-      row.push_back(number_text(number));
+      row.push_back(exact_text(number));
   return row;
 }
 

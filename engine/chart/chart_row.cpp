@@ -10,7 +10,7 @@ namespace patina {
 namespace {
 
 std::string text_of(const std::string& value) { return value; }
-std::string text_of(double value) { return number_text(value); }
+std::string text_of(double value) { return exact_text(value); }
 template <typename Integer>
 requires std::is_integral_v<Integer> std::string text_of(Integer value) { return std::to_string(value); }
 
@@ -117,7 +117,7 @@ ChartRow make_row(const ChartSetting& setting, int repeat, const TrialPlan& plan
   row.setting = setting;
   row.repeat = repeat;
   row.seed = plan.seed;
-  for (const ChainTrace& chain : trial.chains) row.draws += std::ssize(chain.seconds);
+  for (const TrialChain& chain : trial.chains) row.draws += std::ssize(chain.seconds);
   row.seconds = trial.seconds;
   row.search_seconds = trial.search_seconds;
   row.warmup_seconds = trial.warmup_seconds;

@@ -15,7 +15,7 @@ constexpr const char* kFile = "gold.csv";
 /// What decides the draws, beside the target.
 std::string plan_text(const GoldPlan& plan) {
   std::string text = "seed " + std::to_string(plan.trial.seed) + "; " + std::to_string(plan.trial.draws) +
-                     " draws a chain at most; " + number_text(plan.trial.seconds) + " s each";
+                     " draws a chain at most; " + exact_text(plan.trial.seconds) + " s each";
   for (const ChartSetting& setting : plan.settings) {
     text += "; " + setting.name;
     for (const auto& [column, value] : setting_cells(setting))
@@ -47,7 +47,7 @@ void write_gold(const std::filesystem::path& folder, const QuantityDraws& draws,
   for (Eigen::Index k = 0; k < quantities.front()->cols(); ++k)
     for (Eigen::Index i = 0; i < quantities.front()->rows(); ++i) {
       std::vector<std::string>& row = table.rows.emplace_back();
-      for (const Eigen::MatrixXd* matrix : quantities) row.push_back(number_text((*matrix)(i, k)));
+      for (const Eigen::MatrixXd* matrix : quantities) row.push_back(exact_text((*matrix)(i, k)));
     }
   write_table(folder / kFile, table);
 }

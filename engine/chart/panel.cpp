@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr double kTickSize = 12, kNameSize = 13;
+constexpr double kTickSize = 12, kAxisNameSize = 13;
 
 void draw_x_ticks(Scene& scene, const Panel& panel) {
   for (const Tick& tick : log_ticks(panel.x.low, panel.x.high)) {
@@ -62,8 +62,8 @@ void Panel::draw_frame(Scene& scene, const std::string& x_name, const std::strin
   const ScenePoint corner{area.left, area.bottom};
   scene.shapes.push_back(SceneLine{corner, {area.right, area.bottom}, kInk});
   scene.shapes.push_back(SceneLine{corner, {area.left, area.top}, kInk});
-  add_text(scene, {area.left - 40, area.top - 10}, y_name, Anchor::start, kNameSize, kInk, true);
-  add_text(scene, {area.right, area.bottom + 36}, x_name, Anchor::end, kNameSize, kInk, true);
+  add_text(scene, {area.left - 40, area.top - 10}, y_name, Anchor::start, kAxisNameSize, kInk, true);
+  add_text(scene, {area.right, area.bottom + 36}, x_name, Anchor::end, kAxisNameSize, kInk, true);
 }
 
 void add_text(Scene& scene, const ScenePoint& at, const std::string& text, Anchor anchor, double size,

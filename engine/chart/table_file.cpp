@@ -77,7 +77,7 @@ std::optional<TableFile> read_table(const std::filesystem::path& file) {
   return table;
 }
 
-std::string number_text(double value) {
+std::string exact_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
@@ -93,7 +93,7 @@ double parse_number(const std::string& text) {
 
 std::string numbers_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : " ") + number_text(value);
+  for (const double value : values) text += (text.empty() ? "" : " ") + exact_text(value);
   return text;
 }
 

@@ -26,7 +26,7 @@ void write_table(const std::filesystem::path& file, const TableFile& table);
 std::optional<TableFile> read_table(const std::filesystem::path& file);
 
 /// Reads back to the same number; "nan", "inf".
-std::string number_text(double value);
+std::string exact_text(double value);
 
 /// @throws UserError for what is not a number
 double parse_number(const std::string& text);

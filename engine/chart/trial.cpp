@@ -114,7 +114,7 @@ class Running {
       trial_.warmup_evaluations = meter_.evaluations() - trial_.search_evaluations;
     };
     settings.drew = [&](int chain, const ChainState& state) {
-      ChainTrace& trace = trial_.chains[static_cast<std::size_t>(chain)];
+      TrialChain& trace = trial_.chains[static_cast<std::size_t>(chain)];
       trace.values.push_back(problem_.values(state.position));
       trace.levels.push_back(state.position.discrete);
       trace.seconds.push_back(elapsed());
@@ -167,8 +167,8 @@ class Running {
 };
 
 template <typename Vector>
-std::vector<Eigen::MatrixXd> matrices(const std::vector<ChainTrace>& chains, std::size_t draws,
-                                      std::vector<Vector> ChainTrace::*of) {
+std::vector<Eigen::MatrixXd> matrices(const std::vector<TrialChain>& chains, std::size_t draws,
+                                      std::vector<Vector> TrialChain::*of) {
   std::vector<Eigen::MatrixXd> result;
   if (draws == 0) return result;
   const Eigen::Index quantities = (chains.front().*of).front().size();
@@ -189,8 +189,8 @@ Eigen::Index QuantityDraws::draws() const {
 
 QuantityDraws Trial::draws() const {
   std::size_t shortest = chains.empty() ? 0 : chains.front().seconds.size();
-  for (const ChainTrace& chain : chains) shortest = std::min(shortest, chain.seconds.size());
-  return {matrices(chains, shortest, &ChainTrace::values), matrices(chains, shortest, &ChainTrace::levels)};
+  for (const TrialChain& chain : chains) shortest = std::min(shortest, chain.seconds.size());
+  return {matrices(chains, shortest, &TrialChain::values), matrices(chains, shortest, &TrialChain::levels)};
 }
 
 Trial run_trial(const ChartProblem& problem, const ChartSetting& setting, const TrialPlan& plan) {

@@ -24,7 +24,7 @@ struct BestMatch {
 };
 
 /// Draws of one chain after warm-up.
-struct ChainTrace {
+struct TrialChain {
   std::vector<double> seconds;          ///< of each draw, since the start
   std::vector<Eigen::VectorXd> values;  ///< as ChartProblem::values() has them
   std::vector<Eigen::VectorXi> levels;
@@ -40,7 +40,7 @@ struct QuantityDraws {
 /// What came of a setting, from the start as a run has it: search for the mode, start, warm-up, draws.
 struct Trial {
   std::vector<BestMatch> search;
-  std::vector<ChainTrace> chains;
+  std::vector<TrialChain> chains;
   double seconds = 0, search_seconds = 0, warmup_seconds = 0;  ///< of wall time; the first is all of it
   double processor_seconds = 0;                                ///< of all threads
   long evaluations = 0, search_evaluations = 0, warmup_evaluations = 0;  ///< likewise

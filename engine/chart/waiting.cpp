@@ -29,7 +29,7 @@ double error_of(const Eigen::VectorXd& estimate, const GoldStandard& gold) {
 /// The sum of all draws so far, carried from one time to the next.
 class RunningMean {
  public:
-  explicit RunningMean(const std::vector<ChainTrace>& chains) : chains_(chains), used_(chains.size()) {}
+  explicit RunningMean(const std::vector<TrialChain>& chains) : chains_(chains), used_(chains.size()) {}
 
   void advance(double seconds) {
     for (std::size_t k = 0; k < chains_.size(); ++k)
@@ -43,7 +43,7 @@ class RunningMean {
   Eigen::VectorXd mean() const { return sum_ / static_cast<double>(draws_); }
 
  private:
-  const std::vector<ChainTrace>& chains_;
+  const std::vector<TrialChain>& chains_;
   std::vector<std::size_t> used_;
   Eigen::VectorXd sum_;
   long draws_ = 0;
@@ -74,8 +74,8 @@ TableFile waiting_table(const std::vector<WaitingCurve>& curves) {
   table.columns = kColumns;
   for (const WaitingCurve& curve : curves)
     for (const WaitingPoint& point : curve.points)
-      table.rows.push_back({curve.setting, std::to_string(curve.repeat), number_text(point.seconds),
-                            number_text(point.error), std::to_string(point.draws)});
+      table.rows.push_back({curve.setting, std::to_string(curve.repeat), exact_text(point.seconds),
+                            exact_text(point.error), std::to_string(point.draws)});
   return table;
 }
 

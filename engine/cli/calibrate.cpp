@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/material/registry.h"
+#include "engine/number_json.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/parallel_for.h"
@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CalibrateOptions {
   StudySettings study;  ///< its material is the one that is next
   std::vector<std::string> materials;
   std::string errors = "calibrated", summary;
@@ -36,7 +36,7 @@ struct Options {
   bool json = false, quiet = false;
 };
 
-void check(const Options& options) {
+void check(const CalibrateOptions& options) {
   const StudySettings& study = options.study;
   for (const std::string& material : options.materials) check_material_argument(material);
   check_resolution(study.posterior.resolution);
@@ -52,7 +52,7 @@ void check(const Options& options) {
     throw UserError("--pilot must be at least 200: fewer photos of the prior do not tell where to look.");
 }
 
-StudySettings study_of(const Options& options, const std::string& material) {
+StudySettings study_of(const CalibrateOptions& options, const std::string& material) {
   StudySettings study = options.study;
   study.calibrated = options.errors == "calibrated";
   study.posterior.material = material;
@@ -76,11 +76,11 @@ std::string study_text(const StudySettings& study) {
   return text;
 }
 
-std::filesystem::path file_of(const Options& options, const StudySettings& study) {
+std::filesystem::path file_of(const CalibrateOptions& options, const StudySettings& study) {
   return options.out / (study.posterior.material + "-" + options.errors + ".csv");
 }
 
-void make_missing(const CalibrationStudy& study, const Options& options, OutcomeFile& file) {
+void make_missing(const CalibrationStudy& study, const CalibrateOptions& options, OutcomeFile& file) {
   std::vector<int> missing;
   for (int photo = 1; photo <= options.photos; ++photo)
     if (!file.has(photo)) missing.push_back(photo);
@@ -96,15 +96,13 @@ void make_missing(const CalibrationStudy& study, const Options& options, Outcome
   parallel_for(missing.size(), options.threads, work, [] { use_tensor_threads(1); });
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json quantity_json(const QuantityCoverage& quantity) {
   Json intervals = Json::array();
   for (std::size_t i = 0; i < kIntervals.size(); ++i)
     intervals.push_back({{"interval", kIntervals[i]},
                          {"coverage", quantity.coverage.share[i]},
                          {"error", quantity.coverage.error(i)}});
-  return {{"sd_over_prior_sd", number(quantity.sd_over_prior_sd)},
+  return {{"sd_over_prior_sd", number_json(quantity.sd_over_prior_sd)},
           {"identified", quantity.identified},
           {"intervals", intervals},
           {"p_uniform", quantity.coverage.uniformity}};
@@ -117,7 +115,7 @@ Json report_json(const CalibrationReport& report, const std::string& study) {
   return {{"study", study},
           {"photos", report.photos},
           {"converged", report.converged},
-          {"worst_rhat", number(report.worst_rhat)},
+          {"worst_rhat", number_json(report.worst_rhat)},
           {"seconds_a_photo", report.seconds},
           {"simulated_photos", report.simulated},
           {"quantities", quantities}};
@@ -162,7 +160,7 @@ std::string page_of(const std::vector<OutcomeFile>& studies) {
   return kIntroduction + to_markdown(overall_coverage(reports)) + tables;
 }
 
-int calibrate(const Options& options) {
+int calibrate(const CalibrateOptions& options) {
   check(options);
   use_tensor_threads(1);
   make_folder(options.out);
@@ -180,7 +178,7 @@ int calibrate(const Options& options) {
 }
 
 /// Of the posteriors and of their samples.
-void add_study(CLI::App& command, Options& options) {
+void add_study(CLI::App& command, CalibrateOptions& options) {
   command
       .add_option("--resolution", options.study.posterior.resolution,
                   "Pixels a side at which renders are compared with a photo")
@@ -210,7 +208,7 @@ void add_study(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CalibrateOptions>();
   options->materials = material_names();
   options->study.posterior.resolution = 64;
   CLI::App& command = *app.add_subcommand(

@@ -21,7 +21,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct ChartOptions {
   std::filesystem::path photo, out;
   std::string preset = "quick";
   std::vector<std::string> only;  ///< empty: all of the preset
@@ -34,7 +34,7 @@ struct Options {
   bool quiet = false;
 };
 
-void check(const Options& options) {
+void check(const ChartOptions& options) {
   check_material_argument(options.run.material);
   check_resolution(options.run.resolution);
   if (!(options.minutes_per_setting >= 0 && options.gold_minutes >= 0))
@@ -49,7 +49,7 @@ void check(const Options& options) {
 }
 
 /// The photo, or the render that stands for it.
-PhotoProblem problem_of(const Options& options) {
+PhotoProblem problem_of(const ChartOptions& options) {
   RunSettings settings = options.run;
   settings.capture = options.capture.capture();
   if (!options.photo.empty()) {
@@ -78,7 +78,7 @@ std::vector<ChartSetting> chosen(std::vector<ChartSetting> settings, const std::
   return settings;
 }
 
-int chart(const Options& options) {
+int chart(const ChartOptions& options) {
   check(options);
   use_tensor_threads(hardware_threads());
   const PhotoProblem problem = problem_of(options);
@@ -97,7 +97,7 @@ int chart(const Options& options) {
   return kDone;
 }
 
-void add_budget(CLI::App& command, Options& options) {
+void add_budget(CLI::App& command, ChartOptions& options) {
   command
       .add_option(
           "--minutes-per-setting", options.minutes_per_setting,
@@ -114,7 +114,7 @@ void add_budget(CLI::App& command, Options& options) {
 }
 
 /// Of what all settings draw from.
-void add_target(CLI::App& command, Options& options) {
+void add_target(CLI::App& command, ChartOptions& options) {
   command.add_option("--resolution", options.run.resolution, "Pixels a side of the target")
       ->capture_default_str();
   command.add_option("--summary", options.run.summary, "Summary of the target (default: the material's)")
@@ -129,7 +129,7 @@ void add_target(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_chart(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChartOptions>();
   options->run.material.clear();
   CLI::App& command = *app.add_subcommand(
       "chart", "Speed against accuracy of ways to draw from one posterior, under equal budgets");

@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::filesystem::path photo;
   std::string crop;
   CaptureArguments capture;
@@ -24,7 +24,7 @@ struct Options {
   bool search = false, quiet = false, json = false;
 };
 
-int compare(const Options& options) {
+int compare(const CompareOptions& options) {
   RankSettings settings = options.rank;
   settings.capture = options.capture.capture();
   settings.glance = !options.search;
@@ -42,7 +42,7 @@ int compare(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   RankSettings& rank = options->rank;
   CLI::App& command = *app.add_subcommand("compare", "Which material a photo shows: all ranked");
   command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();

@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::filesystem::path directory, out;
   std::string draw = "map", format;
   int resolution = 1024;
@@ -29,7 +29,7 @@ std::size_t place_in(const std::vector<std::string>& names, const std::string& n
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-ExportRequest request_of(const Options& options, const DrawSource& run, const ParameterValues& values) {
+ExportRequest request_of(const ExportOptions& options, const DrawSource& run, const ParameterValues& values) {
   const RunSettings& settings = run.settings();
   ExportRequest request{settings.material,  settings.z_seed, settings.capture, values,
                         options.resolution, options.tile};
@@ -41,7 +41,7 @@ ExportRequest request_of(const Options& options, const DrawSource& run, const Pa
   return request;
 }
 
-int export_run(const Options& options) {
+int export_run(const ExportOptions& options) {
   if (options.tile && options.format != "maps")
     throw UserError("--tile is about maps: give it with --format maps.");
   const auto run = open_run(options.directory);
@@ -63,7 +63,7 @@ int export_run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App& command = *app.add_subcommand("export", "A draw of a run, as parameters or as texture maps");
   command.add_option("RUN_DIR", options->directory, "A run directory, also one that still grows")->required();
   command

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct MaterialsOptions {
   std::string name;
   bool json = false;
 };
@@ -51,7 +51,7 @@ int list_all(bool json) {
   return kDone;
 }
 
-int materials(const Options& options) {
+int materials(const MaterialsOptions& options) {
   if (options.name.empty()) return list_all(options.json);
   const ParameterTable table = material_table(options.name);
   options.json ? print(table_json(table)) : print(describe(table));
@@ -61,7 +61,7 @@ int materials(const Options& options) {
 }  // namespace
 
 void add_materials(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MaterialsOptions>();
   CLI::App& command = *app.add_subcommand("materials", "The models, their parameters, units and priors");
   command.add_option("NAME", options->name, "One material, with all its parameters");
   command.add_flag("--json", options->json, "As one JSON document");

@@ -22,7 +22,7 @@ namespace {
 constexpr int kDraws = 1000;          // that a spread is measured by
 constexpr double kSaysNothing = 0.9;  // of the prior's sd, as for a posterior
 
-struct Options {
+struct PredictOptions {
   std::filesystem::path photo, out;
   std::string material, crop;
   CaptureArguments capture;
@@ -73,7 +73,7 @@ std::string as_text(const Prediction& prediction) {
   return text;
 }
 
-int predict(const Options& options) {
+int predict(const PredictOptions& options) {
   use_tensor_threads(hardware_threads());
   check_material_argument(options.material);
   PhotoOptions photo;
@@ -92,7 +92,7 @@ int predict(const Options& options) {
 }  // namespace
 
 void add_predict(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PredictOptions>();
   CLI::App& command =
       *app.add_subcommand("predict", "A first guess at a photo's parameters, by a trained network, at once");
   command.add_option("PHOTO", options->photo, "Flash photo of a flat sample, seen from above")->required();

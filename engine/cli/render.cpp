@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::string material;
   std::filesystem::path params, out;
   std::vector<std::string> assignments, priors;
@@ -33,7 +33,7 @@ ParameterTable table_of(const Renderer& renderer, const std::vector<std::string>
   return ParameterSpace(renderer.table(), others, {}).table();
 }
 
-int render(const Options& options) {
+int render(const RenderOptions& options) {
   use_tensor_threads(hardware_threads());
   check_material_argument(options.material);
   check_resolution(options.resolution);
@@ -54,7 +54,7 @@ int render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App& command = *app.add_subcommand("render", "An image of a material at given parameters");
   command.add_option("--material", options->material, "The material's name")->type_name("NAME");
   command.add_option("--params", options->params, "Parameter values; others stay at the prior's mean")

@@ -22,7 +22,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct StressOptions {
   std::string material, scenario;
   std::vector<std::string> kernels;
   std::filesystem::path out;
@@ -32,7 +32,7 @@ struct Options {
 };
 
 /// The densities, or the photos of a material; all or the one of that name. @throws UserError
-std::vector<Scenario> chosen_scenarios(const Options& options) {
+std::vector<Scenario> chosen_scenarios(const StressOptions& options) {
   if (!options.material.empty()) material_table(options.material);  // refuses an unknown name
   std::vector<Scenario> scenarios =
       options.material.empty() ? density_scenarios() : photo_scenarios(options.material);
@@ -46,7 +46,7 @@ std::vector<Scenario> chosen_scenarios(const Options& options) {
 }
 
 /// Photos of a smooth material are tried as runs draw that are told nothing, too.
-std::vector<std::string> chosen_kernels(const Options& options) {
+std::vector<std::string> chosen_kernels(const StressOptions& options) {
   if (!options.kernels.empty()) return options.kernels;
   std::vector<std::string> kernels = kernel_names();
   if (options.material.empty()) return kernels;
@@ -57,7 +57,7 @@ std::vector<std::string> chosen_kernels(const Options& options) {
 }
 
 /// Into the page that is there, between its marks, or as a page of its own.
-void write_table(const Options& options, const std::string& table) {
+void write_table(const StressOptions& options, const std::string& table) {
   std::error_code ignored;
   const bool there = std::filesystem::exists(options.out, ignored);
   const std::string command =
@@ -75,7 +75,7 @@ int status_of(const std::vector<Cell>& cells) {
   return kRunFailed;
 }
 
-int stress(const Options& options) {
+int stress(const StressOptions& options) {
   if (options.threads < 1) throw UserError("--threads must be at least 1.");
   if (options.material.empty() && std::ranges::count(options.kernels, kAuto) > 0)
     throw UserError("The kernel auto is of runs on photos: give --material, too, or name another kernel.");
@@ -99,7 +99,7 @@ int stress(const Options& options) {
 }  // namespace
 
 void add_stress(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StressOptions>();
   CLI::App& command = *app.add_subcommand(
       "stress", "Known ways to fail, with every kernel: right, alarmed, refused, or silently wrong (exit 1)");
   command

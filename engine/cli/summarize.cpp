@@ -15,7 +15,7 @@
 namespace patina {
 namespace {
 
-struct Options {
+struct SummarizeOptions {
   std::filesystem::path directory;
   bool json = false, picture = false;
 };
@@ -25,7 +25,7 @@ NeededPicture compare_pictures(const DrawSource& run, const std::vector<Draw>& d
                         [](const std::string& doing) { std::fprintf(stderr, "trying %s\n", doing.c_str()); });
 }
 
-int summarize(const Options& options) {
+int summarize(const SummarizeOptions& options) {
   const auto run = open_run(options.directory);
   const std::vector<Draw> draws = run->take_draws();
   if (std::ranges::all_of(draws, &Draw::warmup))
@@ -45,7 +45,7 @@ int summarize(const Options& options) {
 }  // namespace
 
 void add_summarize(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SummarizeOptions>();
   CLI::App& command = *app.add_subcommand(
       "summarize", "Mean, sd, quantiles, MCSE, ESS and R-hat of every parameter; acceptance of every chain");
   command.add_option("RUN_DIR", options->directory, "A run directory, also one that still grows")->required();

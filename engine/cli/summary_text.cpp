@@ -7,6 +7,7 @@
 #include "engine/format.h"
 #include "engine/io/params_json.h"
 #include "engine/material/off_values.h"
+#include "engine/number_json.h"
 #include "engine/run/advice.h"
 #include "engine/run/all_alarms.h"
 #include "engine/run/manifest_phase.h"
@@ -17,41 +18,39 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json quantity_json(const QuantitySummary& q) {
-  return {{"mean", number(q.mean)},
-          {"sd", number(q.sd)},
-          {"q5", number(q.q5)},
-          {"q25", number(q.q25)},
-          {"q50", number(q.q50)},
-          {"q75", number(q.q75)},
-          {"q95", number(q.q95)},
-          {"mcse_mean", number(q.mcse_mean)},
-          {"mcse_sd", number(q.mcse_sd)},
-          {"bulk_ess", number(q.bulk_ess)},
-          {"tail_ess", number(q.tail_ess)},
-          {"rhat", number(q.rhat)},
-          {"sd_over_prior_sd", number(q.sd_over_prior_sd)}};
+  return {{"mean", number_json(q.mean)},
+          {"sd", number_json(q.sd)},
+          {"q5", number_json(q.q5)},
+          {"q25", number_json(q.q25)},
+          {"q50", number_json(q.q50)},
+          {"q75", number_json(q.q75)},
+          {"q95", number_json(q.q95)},
+          {"mcse_mean", number_json(q.mcse_mean)},
+          {"mcse_sd", number_json(q.mcse_sd)},
+          {"bulk_ess", number_json(q.bulk_ess)},
+          {"tail_ess", number_json(q.tail_ess)},
+          {"rhat", number_json(q.rhat)},
+          {"sd_over_prior_sd", number_json(q.sd_over_prior_sd)}};
 }
 
 Json direction_json(const DirectionSummary& d, const ParameterTable& table) {
   Json loadings = Json::object();
   for (std::size_t i = 0; i < d.loadings.size(); ++i) loadings[table.continuous[i].name] = d.loadings[i];
   return {{"name", d.name},
-          {"share", number(d.share)},
-          {"bulk_ess", number(d.bulk_ess)},
-          {"tail_ess", number(d.tail_ess)},
-          {"rhat", number(d.rhat)},
+          {"share", number_json(d.share)},
+          {"bulk_ess", number_json(d.bulk_ess)},
+          {"tail_ess", number_json(d.tail_ess)},
+          {"rhat", number_json(d.rhat)},
           {"loadings", loadings}};
 }
 
 Json chain_json(const ChainSummary& c) {
   return {{"chain", c.chain + 1},
           {"draws", c.draws},
-          {"acceptance", number(c.acceptance)},
+          {"acceptance", number_json(c.acceptance)},
           {"divergences", c.divergences},
-          {"ebfmi", number(c.ebfmi)}};
+          {"ebfmi", number_json(c.ebfmi)}};
 }
 
 Json advice_json(const ParameterAdvice& a) {
@@ -59,10 +58,10 @@ Json advice_json(const ParameterAdvice& a) {
           {"identified", a.identified},
           {"redundant_with", a.redundant_with.empty() ? Json(nullptr) : Json(a.redundant_with)},
           {"off", a.off ? Json{{"value", a.off->value},
-                               {"times_likelier", number(a.off->ratio)},
-                               {"error", number(a.off->error)}}
+                               {"times_likelier", number_json(a.off->ratio)},
+                               {"error", number_json(a.off->error)}}
                         : Json(nullptr)},
-          {"freeze_at", a.freeze_at ? number(*a.freeze_at) : Json(nullptr)},
+          {"freeze_at", a.freeze_at ? number_json(*a.freeze_at) : Json(nullptr)},
           {"sentence", a.sentence}};
 }
 
@@ -78,7 +77,8 @@ std::int64_t total_draws(const RunSummary& summary) {
 
 Json map_json(const DrawSource& run, const RunStatus& status) {
   if (!status.best) return nullptr;
-  return {{"values", Json::parse(params_to_json(run.table(), *status.best))}, {"lp", number(status.best_lp)}};
+  return {{"values", Json::parse(params_to_json(run.table(), *status.best))},
+          {"lp", number_json(status.best_lp)}};
 }
 
 Alarms alarms_of(const DrawSource& run, const RunSummary& summary) {

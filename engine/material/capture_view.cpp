@@ -15,7 +15,7 @@ namespace {
 
 // A run and its previews use a handful of sizes; large ones are for export, once.
 constexpr std::size_t kMostKept = 8;
-constexpr int kLargestKept = 1024;
+constexpr int kLargestKeptView = 1024;
 
 CaptureView make_view(const Capture& capture, int n, at::ScalarType type) {
   // A tensor born in inference mode could never serve a gradient.
@@ -37,7 +37,7 @@ CaptureView make_view(const Capture& capture, int n, at::ScalarType type) {
 }  // namespace
 
 CaptureView capture_view(const Capture& capture, int resolution, at::ScalarType type) {
-  if (resolution > kLargestKept) return make_view(capture, resolution, type);
+  if (resolution > kLargestKeptView) return make_view(capture, resolution, type);
   static std::mutex mutex;
   static std::map<std::tuple<double, double, int, at::ScalarType>, CaptureView> kept;
   const auto key = std::make_tuple(capture.size_cm, capture.camera_cm, resolution, type);

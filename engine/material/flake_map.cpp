@@ -17,10 +17,10 @@ namespace {
 // Lengths in bins. A bin is so small that it holds one site at most, the least distance being sqrt 2. Their
 // number was chosen by the appearance distance to three reference renders of flakes: 0.06 on average; 270 and
 // 300 bins give 0.08.
-constexpr int kBins = 285;  // a side
+constexpr int kFlakeBins = 285;  // a side
 constexpr float kSquareDistance = 2;
 constexpr int kThrowsPerBin = 12;
-constexpr int kReach = 3;  // bins to look around: no gap between sites is as wide
+constexpr int kGap = 3;  // bins to look around: no gap between sites is as wide
 
 struct Site {
   float x, y;              ///< in bins
@@ -38,13 +38,13 @@ void draw_slope(Site& site, double for_radius, double for_angle) {
 
 /// A blue-noise point set on a torus by dart throwing (Cook 1986): sites wherever chance puts them, but none
 /// within sqrt 2 bins of an earlier one.
-class Sites {
+class FlakeSites {
  public:
-  Sites(std::uint64_t seed, std::uint64_t stream) : bins_(kBins * kBins) {
-    constexpr std::uint64_t kThrows = std::uint64_t{kThrowsPerBin} * kBins * kBins;
+  FlakeSites(std::uint64_t seed, std::uint64_t stream) : bins_(kFlakeBins * kFlakeBins) {
+    constexpr std::uint64_t kThrows = std::uint64_t{kThrowsPerBin} * kFlakeBins * kFlakeBins;
     for (std::uint64_t i = 0; i < kThrows; ++i) {
       const auto random = [&](std::uint64_t k) { return uniform_hash(seed, stream, 4 * i + k); };
-      Site site{static_cast<float>(kBins * random(0)), static_cast<float>(kBins * random(1)), 0, 0};
+      Site site{static_cast<float>(kFlakeBins * random(0)), static_cast<float>(kFlakeBins * random(1)), 0, 0};
       if (nearest(site.x, site.y, 2).square_distance < kSquareDistance) continue;
       draw_slope(site, random(2), random(3));
       bin(static_cast<int>(site.y), static_cast<int>(site.x)) = site;
@@ -71,13 +71,13 @@ class Sites {
   }
 
  private:
-  static int wrapped(int i) { return i < 0 ? i + kBins : i >= kBins ? i - kBins : i; }
+  static int wrapped(int i) { return i < 0 ? i + kFlakeBins : i >= kFlakeBins ? i - kFlakeBins : i; }
   static float apart(float difference) {
     const float distance = std::abs(difference);
-    return std::min(distance, static_cast<float>(kBins) - distance);
+    return std::min(distance, static_cast<float>(kFlakeBins) - distance);
   }
   static std::size_t index(int row, int column) {
-    return static_cast<std::size_t>(wrapped(row) * kBins + wrapped(column));
+    return static_cast<std::size_t>(wrapped(row) * kFlakeBins + wrapped(column));
   }
   std::optional<Site>& bin(int row, int column) { return bins_[index(row, column)]; }
 
@@ -87,14 +87,14 @@ class Sites {
 }  // namespace
 
 MipMap make_flake_map(std::uint64_t seed, std::uint64_t stream, int size) {
-  const Sites sites(seed, stream);
-  const float step = static_cast<float>(kBins) / static_cast<float>(size);
+  const FlakeSites sites(seed, stream);
+  const float step = static_cast<float>(kFlakeBins) / static_cast<float>(size);
   at::Tensor map = at::empty({1, 3, size, size}, at::kFloat);
   auto texel = map.accessor<float, 4>()[0];
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const auto centre = [step](int i) { return (static_cast<float>(i) + 0.5f) * step; };
-      const Site& site = *sites.nearest(centre(column), centre(row), kReach).site;
+      const Site& site = *sites.nearest(centre(column), centre(row), kGap).site;
       texel[0][row][column] = site.slope_x;
       texel[1][row][column] = site.slope_y;
       texel[2][row][column] = site.slope_x * site.slope_x + site.slope_y * site.slope_y;

@@ -25,7 +25,7 @@ namespace {
 enum Stream : std::uint64_t { kPhases = 1, kNoise = 140, kCells = 200, kFlakes = 300, kWood = 400 };
 
 // Larger grids are for export, once.
-constexpr int kLargestKept = 1024;
+constexpr int kLargestKeptGrid = 1024;
 
 /// exp(i phase) of one frequency. Phases are random at the map's corner, and carried on from there to the
 /// centre of the first pixel: grids of all sizes then sample one surface.
@@ -81,7 +81,7 @@ struct Irregularities::Cache {
   template <typename Value, typename Make>
   Value keep(std::map<int, Value>& kept, int n, Make&& make) {
     const c10::InferenceMode normal_mode(false);
-    if (n > kLargestKept) return make();
+    if (n > kLargestKeptGrid) return make();
     const std::lock_guard lock(mutex);
     const auto found = kept.find(n);
     return found != kept.end() ? found->second : kept.emplace(n, make()).first->second;

@@ -40,7 +40,7 @@ at::Tensor anisotropic_lobe(const Lobe& lobe, const at::Tensor& cosine, const Ca
   return (tail.square() * cosine * (ax * ay * (4 * std::numbers::pi))).reciprocal();
 }
 
-at::Tensor as_colour(const at::Tensor& f0) { return f0.dim() == 1 ? f0.view({-1, 1, 1}) : f0; }
+at::Tensor over_pixels(const at::Tensor& f0) { return f0.dim() == 1 ? f0.view({-1, 1, 1}) : f0; }
 
 }  // namespace
 
@@ -56,7 +56,7 @@ at::Tensor shade(const Surface& surface, const Capture& capture, int resolution)
         lobe.normal.is_same(surface.normal) ? diffuse_cosine : cosine_to(lobe.normal, view);
     const bool isotropic = lobe.roughness_x.is_same(lobe.roughness_y);
     const at::Tensor shape = isotropic ? isotropic_lobe(lobe, cosine) : anisotropic_lobe(lobe, cosine, view);
-    const at::Tensor highlight = as_colour(lobe.f0) * (shape * irradiance);
+    const at::Tensor highlight = over_pixels(lobe.f0) * (shape * irradiance);
     radiance = radiance.defined() ? radiance + highlight : highlight;
   }
   const at::Tensor diffuse = diffuse_cosine * irradiance;

@@ -22,7 +22,7 @@ namespace patina {
 namespace {
 
 constexpr int kLinear = 0, kZeros = 0;
-constexpr double kSharpness = -0.5;  // levels: linear interpolation blurs half a level by itself
+constexpr double kLevelSharpness = -0.5;  // levels: linear interpolation blurs half a level by itself
 
 at::Tensor uniform_values(std::uint64_t seed, std::uint64_t stream, at::IntArrayRef sizes) {
   at::Tensor values = at::empty(sizes, at::kFloat);
@@ -46,7 +46,7 @@ struct Share {
 
 /// The one or two levels that a width lies at or between.
 std::vector<Share> shares_of(const at::Tensor& width, std::size_t levels) {
-  const at::Tensor level = width.log2() + kSharpness;
+  const at::Tensor level = width.log2() + kLevelSharpness;
   const double at = level.item<double>();
   if (!(at > 0)) return {{0, at::ones_like(level)}};
   if (at >= static_cast<double>(levels - 1)) return {{levels - 1, at::ones_like(level)}};
@@ -56,13 +56,13 @@ std::vector<Share> shares_of(const at::Tensor& width, std::size_t levels) {
 }
 
 /// What is seen of noise at some widths: levels that are mixed, and their weights, [planes].
-struct Mixture {
+struct NoiseMixture {
   std::vector<NoisePlane> planes;
   at::Tensor weights;
 };
 
-Mixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y) {
-  Mixture mixture;
+NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y) {
+  NoiseMixture mixture;
   std::vector<at::Tensor> weights;
   for (const Share& row : shares_of(width_y, noise.levels.size()))
     for (const Share& column : shares_of(width_x, noise.levels.front().size())) {
@@ -105,13 +105,13 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y) {
   if (x.scalar_type() != at::kFloat) return value_noise_by_tensors(noise, x, y, width_x, width_y);
-  const Mixture mixture = mixture_of(noise, width_x, width_y);
+  const NoiseMixture mixture = mixture_of(noise, width_x, width_y);
   return look_up_planes(mixture.planes, x, y, mixture.weights);
 }
 
 at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                                   const at::Tensor& width_x, const at::Tensor& width_y) {
-  const Mixture mixture = mixture_of(noise, width_x, width_y);
+  const NoiseMixture mixture = mixture_of(noise, width_x, width_y);
   at::Tensor sum = at::zeros_like(x);
   for (std::size_t p = 0; p < mixture.planes.size(); ++p)
     sum = sum + mixture.weights[static_cast<std::int64_t>(p)] * sample(mixture.planes[p], x, y);

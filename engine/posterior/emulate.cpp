@@ -14,10 +14,10 @@
 namespace patina {
 namespace {
 
-constexpr std::uint64_t kStream = 0x656d'756c;  // apart from the search's and the chains'
-constexpr double kSpread = 1.2;                 // of the first round, Laplace's sds
-constexpr int kRound = 60;                      // evaluations of every further one
-constexpr double kBeta = 0.5;                   // of these, inverse temperature
+constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search's and the chains'
+constexpr double kSpread = 1.2;                         // of the first round, Laplace's sds
+constexpr int kRound = 60;                              // evaluations of every further one
+constexpr double kBeta = 0.5;                           // of these, inverse temperature
 
 class Learner {
  public:
@@ -154,7 +154,7 @@ bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vec
 Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
                   const EmulateSettings& settings) {
   const Learner learner(posterior, settings);
-  Rng rng(settings.seed, kStream);
+  Rng rng(settings.seed, kEmulatorStream);
   const Eigen::Index first = 2 * Emulator::monomials(mode.continuous.size());
   EmulatorExamples examples = learner.evaluate(about(mode, laplace, first, rng));
   Emulation result;

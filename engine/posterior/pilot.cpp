@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr std::uint64_t kStream = 0;
+constexpr std::uint64_t kPilotStream = 0;
 
 /// The columns of the `count` smallest of values.
 std::vector<Eigen::Index> smallest(const Eigen::VectorXd& values, Eigen::Index count) {
@@ -44,7 +44,7 @@ Simulator without_guess(Simulator simulator) {
 
 Pilot::Pilot(const Simulator& simulator, int photos)
     : photos_(simulate(without_guess(simulator), prior_region(std::ssize(simulator.posterior.informed())),
-                       photos, kStream)),
+                       photos, kPilotStream)),
       scores_(photos_.offsets, photos_.summaries,
               Compression(photos_.summaries, simulator.posterior.moments())) {
   const Eigen::MatrixXd errors = photos_.offsets - scores_.left_out();

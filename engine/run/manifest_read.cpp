@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-using Json = nlohmann::json;
+using AnyJson = nlohmann::json;
 
 constexpr std::size_t kLongestList = 10'000;
 
@@ -26,59 +26,59 @@ struct BadField {
   std::string why;
 };
 
-const Json& field(const Json& json, const char* key) {
+const AnyJson& field(const AnyJson& json, const char* key) {
   if (!json.is_object() || !json.contains(key)) throw BadField{"'" + std::string(key) + "' is missing"};
   return json[key];
 }
 
-std::string text(const Json& json, const char* key) {
-  const Json& value = field(json, key);
+std::string text(const AnyJson& json, const char* key) {
+  const AnyJson& value = field(json, key);
   if (!value.is_string()) throw BadField{"'" + std::string(key) + "' is not text"};
   return value.get<std::string>();
 }
 
-double number(const Json& json, const char* key) {
-  const Json& value = field(json, key);
+double number(const AnyJson& json, const char* key) {
+  const AnyJson& value = field(json, key);
   if (!value.is_number()) throw BadField{"'" + std::string(key) + "' is not a number"};
   return value.get<double>();
 }
 
-double positive(const Json& json, const char* key) {
+double positive(const AnyJson& json, const char* key) {
   const double value = number(json, key);
   if (!(value > 0 && std::isfinite(value))) throw BadField{"'" + std::string(key) + "' is out of range"};
   return value;
 }
 
-int integer(const Json& json, const char* key, int low, int high = std::numeric_limits<int>::max()) {
+int integer(const AnyJson& json, const char* key, int low, int high = std::numeric_limits<int>::max()) {
   const double value = number(json, key);
   if (!(value >= low && value <= high && value == std::floor(value)))
     throw BadField{"'" + std::string(key) + "' is out of range"};
   return static_cast<int>(value);
 }
 
-std::uint64_t seed(const Json& json, const char* key) {
-  const Json& value = field(json, key);
+std::uint64_t seed(const AnyJson& json, const char* key) {
+  const AnyJson& value = field(json, key);
   if (!value.is_number_unsigned()) throw BadField{"'" + std::string(key) + "' is not a seed"};
   return value.get<std::uint64_t>();
 }
 
-const Json& list(const Json& json, const char* key) {
-  const Json& value = field(json, key);
+const AnyJson& list(const AnyJson& json, const char* key) {
+  const AnyJson& value = field(json, key);
   if (!value.is_array() || value.size() > kLongestList)
     throw BadField{"'" + std::string(key) + "' is not a list"};
   return value;
 }
 
-std::vector<std::string> texts(const Json& json, const char* key) {
+std::vector<std::string> texts(const AnyJson& json, const char* key) {
   std::vector<std::string> result;
-  for (const Json& item : list(json, key)) {
+  for (const AnyJson& item : list(json, key)) {
     if (!item.is_string()) throw BadField{"'" + std::string(key) + "' holds something that is not text"};
     result.push_back(item.get<std::string>());
   }
   return result;
 }
 
-TruncatedNormal prior(const Json& json) {
+TruncatedNormal prior(const AnyJson& json) {
   const TruncatedNormal prior{number(json, "mean"), positive(json, "sd"), number(json, "low"),
                               number(json, "high")};
   if (!(prior.low < prior.high)) throw BadField{"a prior's low is not below its high"};
@@ -90,22 +90,22 @@ TruncatedNormal prior(const Json& json) {
   return prior;
 }
 
-ParameterTable table(const Json& json) {
+ParameterTable table(const AnyJson& json) {
   ParameterTable table;
   table.material = text(json, "name");
   table.description = text(json, "description");
   if (json.contains("summary")) table.summary = text(json, "summary");
-  for (const Json& item : list(json, "continuous"))
+  for (const AnyJson& item : list(json, "continuous"))
     table.continuous.push_back(
         {text(item, "name"), text(item, "unit"), text(item, "description"), prior(field(item, "prior"))});
-  for (const Json& item : list(json, "discrete")) {
+  for (const AnyJson& item : list(json, "discrete")) {
     table.discrete.push_back({text(item, "name"), text(item, "description"), texts(item, "levels")});
     if (table.discrete.back().levels.empty()) throw BadField{"a choice has no levels"};
   }
   return table;
 }
 
-std::map<std::string, double> named_numbers(const Json& json, const char* key) {
+std::map<std::string, double> named_numbers(const AnyJson& json, const char* key) {
   std::map<std::string, double> result;
   for (const auto& [name, value] : field(json, key).items()) {
     if (!value.is_number()) throw BadField{"'" + std::string(key) + "' holds something that is not a number"};
@@ -115,7 +115,7 @@ std::map<std::string, double> named_numbers(const Json& json, const char* key) {
 }
 
 /// Of a setting that runs of earlier versions have none of: theirs is `usual`.
-std::string one_of(const Json& json, const char* key, const std::vector<std::string>& known,
+std::string one_of(const AnyJson& json, const char* key, const std::vector<std::string>& known,
                    const std::string& usual) {
   if (!json.contains(key)) return usual;
   const std::string name = text(json, key);
@@ -124,7 +124,7 @@ std::string one_of(const Json& json, const char* key, const std::vector<std::str
   return name;
 }
 
-RunSettings settings(const Json& json) {
+RunSettings settings(const AnyJson& json) {
   RunSettings s;
   s.resolution = integer(json, "resolution", 1);
   s.summary = text(json, "summary");
@@ -142,7 +142,7 @@ RunSettings settings(const Json& json) {
   s.refresh = number(json, "refresh");
   s.seed = seed(json, "seed");
   s.z_seed = seed(json, "z_seed");
-  const Json& map_only = field(json, "map_only");
+  const AnyJson& map_only = field(json, "map_only");
   if (!map_only.is_boolean()) throw BadField{"'map_only' is not true or false"};
   s.map_only = map_only.get<bool>();
   s.fixed = named_numbers(json, "fixed");
@@ -156,7 +156,7 @@ RunSettings settings(const Json& json) {
   return s;
 }
 
-std::optional<StopEvidence> evidence(const Json& json) {
+std::optional<StopEvidence> evidence(const AnyJson& json) {
   if (json.is_null()) return std::nullopt;
   StopEvidence evidence;
   evidence.draws = integer(json, "draws", 0);
@@ -167,7 +167,7 @@ std::optional<StopEvidence> evidence(const Json& json) {
   return evidence;
 }
 
-std::optional<PhotoFit> photo_fit(const Json& json) {
+std::optional<PhotoFit> photo_fit(const AnyJson& json) {
   if (json.is_null()) return std::nullopt;
   const PhotoFit fit{positive(json, "distance"), positive(json, "p"), positive(json, "widening"),
                      number(json, "discrepancy")};
@@ -176,11 +176,11 @@ std::optional<PhotoFit> photo_fit(const Json& json) {
   return fit;
 }
 
-MapPoint map_point(const Json& json, const ParameterTable& table) {
+MapPoint map_point(const AnyJson& json, const ParameterTable& table) {
   MapPoint map;
-  const Json& lp = field(json, "lp");
+  const AnyJson& lp = field(json, "lp");
   map.lp = lp.is_null() ? -std::numeric_limits<double>::infinity() : number(json, "lp");
-  const Json& values = field(json, "values");
+  const AnyJson& values = field(json, "values");
   for (const Parameter& parameter : table.continuous)
     map.values.continuous.push_back(number(values, parameter.name.c_str()));
   for (const DiscreteParameter& parameter : table.discrete)
@@ -189,48 +189,48 @@ MapPoint map_point(const Json& json, const ParameterTable& table) {
   return map;
 }
 
-Alarms alarms(const Json& json) {
+Alarms alarms(const AnyJson& json) {
   Alarms alarms;
-  for (const Json& item : list(json, "alarms"))
+  for (const AnyJson& item : list(json, "alarms"))
     alarms.push_back({text(item, "name"), text(item, "sentence")});
   return alarms;
 }
 
-std::vector<double> numbers(const Json& json, const char* key) {
+std::vector<double> numbers(const AnyJson& json, const char* key) {
   std::vector<double> result;
-  for (const Json& item : list(json, key)) {
+  for (const AnyJson& item : list(json, key)) {
     if (!item.is_number()) throw BadField{"'" + std::string(key) + "' holds something that is not a number"};
     result.push_back(item.get<double>());
   }
   return result;
 }
 
-RunTimes times(const Json& json) {
+RunTimes times(const AnyJson& json) {
   return {number(json, "search"), numbers(json, "warmup"), numbers(json, "sampling")};
 }
 
-RunPhase phase(const Json& json) {
+RunPhase phase(const AnyJson& json) {
   const std::string found = text(json, "phase");
   for (const auto& [phase, word] : kPhaseWords)
     if (word == found) return phase;
   throw BadField{"the phase '" + found.substr(0, 40) + "' is unknown"};
 }
 
-Manifest manifest(const Json& json) {
+Manifest manifest(const AnyJson& json) {
   Manifest m;
   m.program = text(json, "program");
   m.settings = settings(field(json, "settings"));
   m.table = table(field(json, "material"));
   m.settings.material = m.table.material;
-  const Json& capture = field(json, "capture");
+  const AnyJson& capture = field(json, "capture");
   m.settings.capture = {positive(capture, "size_cm"), positive(capture, "camera_cm")};
-  const Json& photo = field(json, "photo");
+  const AnyJson& photo = field(json, "photo");
   m.photo_sha256 = text(photo, "sha256");
   m.photo_width = integer(photo, "width", 0);
   m.photo_height = integer(photo, "height", 0);
   m.photo_warnings = texts(photo, "warnings");
   if (photo.contains("crop")) {
-    const Json& crop = photo["crop"];
+    const AnyJson& crop = photo["crop"];
     m.crop = {integer(crop, "x", 0), integer(crop, "y", 0), integer(crop, "side", 1)};
   }
   m.network_sha256 = text(json, "network_sha256");
@@ -238,11 +238,11 @@ Manifest manifest(const Json& json) {
   m.mean_sigma = positive(field(json, "error_model"), "mean_sigma");
   m.phase = phase(json);
   m.reason = text(json, "reason");
-  if (const Json& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
+  if (const AnyJson& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
   if (json.contains("kernel")) m.kernel = text(json, "kernel");
   if (json.contains("so_far")) m.so_far = map_point(json["so_far"], m.table);
   if (json.contains("basins"))
-    for (const Json& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));
+    for (const AnyJson& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));
   if (json.contains("seconds")) m.seconds = times(json["seconds"]);  // runs of the first version have none
   if (json.contains("photo_fit")) m.photo_fit = photo_fit(json["photo_fit"]);
   if (json.contains("alarms")) m.alarms = alarms(json);
@@ -254,7 +254,7 @@ Manifest manifest(const Json& json) {
   throw UserError(file.string() + " is damaged (" + why + "): restore it from a copy, or start a new run.");
 }
 
-void refuse_newer(const Json& json, const std::filesystem::path& directory) {
+void refuse_newer(const AnyJson& json, const std::filesystem::path& directory) {
   if (number(json, "format") > kRunFormat)
     throw UserError(directory.string() + " was made by a newer version of the program (run format " +
                     field(json, "format").dump() + ", this one knows " + std::to_string(kRunFormat) +
@@ -273,14 +273,14 @@ Manifest read_manifest(const std::filesystem::path& directory) {
     throw UserError(
         directory.string() +
         " is not a run directory, for it holds no run.json: name one that 'patina-cli fit' made.");
-  const Json json = Json::parse(read_file(file), nullptr, /*allow_exceptions=*/false);
+  const AnyJson json = AnyJson::parse(read_file(file), nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) refuse(file, "it is not JSON");
   try {
     refuse_newer(json, directory);
     return manifest(json);
   } catch (const BadField& bad) {
     refuse(file, bad.why);
-  } catch (const Json::exception& error) {
+  } catch (const AnyJson::exception& error) {
     refuse(file, error.what());
   }
 }

@@ -1,6 +1,6 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/number_json.h"
 #include "engine/run/manifest.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/table_json.h"
@@ -9,9 +9,6 @@ namespace patina {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// JSON has no infinities.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json priors_json(const std::map<std::string, TruncatedNormal>& priors) {
   Json json = Json::object();
@@ -52,7 +49,7 @@ Json point_json(const MapPoint& point, const ParameterTable& table) {
     values[table.continuous[i].name] = point.values.continuous[i];
   for (std::size_t i = 0; i < table.discrete.size(); ++i)
     values[table.discrete[i].name] = point.values.discrete[i];
-  return {{"values", values}, {"lp", number(point.lp)}};
+  return {{"values", values}, {"lp", number_json(point.lp)}};
 }
 
 Json map_json(const Manifest& m) { return m.map ? point_json(*m.map, m.table) : Json(nullptr); }
@@ -82,18 +79,18 @@ Json alarms_json(const Alarms& alarms) {
 Json evidence_json(const std::optional<StopEvidence>& evidence) {
   if (!evidence) return nullptr;
   return {{"draws", evidence->draws},
-          {"least_ess", number(evidence->least_ess)},
+          {"least_ess", number_json(evidence->least_ess)},
           {"least_ess_of", evidence->least_ess_of},
-          {"largest_rhat", number(evidence->largest_rhat)},
+          {"largest_rhat", number_json(evidence->largest_rhat)},
           {"largest_rhat_of", evidence->largest_rhat_of}};
 }
 
 Json photo_fit_json(const std::optional<PhotoFit>& fit) {
   if (!fit) return nullptr;
-  return {{"distance", number(fit->distance)},
-          {"p", number(fit->p)},
-          {"widening", number(fit->widening)},
-          {"discrepancy", number(fit->discrepancy)}};
+  return {{"distance", number_json(fit->distance)},
+          {"p", number_json(fit->p)},
+          {"widening", number_json(fit->widening)},
+          {"discrepancy", number_json(fit->discrepancy)}};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@
 namespace patina {
 namespace {
 
-constexpr int kLeastResolution = 32;
+constexpr int kLeastSearchSide = 32;
 constexpr double kSameDensity = 0.01;  // nats, relative to 1 + |lp|: what float32 and another processor do
 
 /// Log densities of the same positions under one posterior, and the median time of one.
@@ -101,7 +101,7 @@ class Comparer {
   }
 
   int least_resolution(const std::string& summary) const {
-    return std::max(kLeastResolution, make_summary(summary, settings_.network)->minimum_resolution());
+    return std::max(kLeastSearchSide, make_summary(summary, settings_.network)->minimum_resolution());
   }
 
  private:

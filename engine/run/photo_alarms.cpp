@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCells = 16;  // a side
 
-std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+std::string whole_percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 double luminance(const Image& photo, int row, int column) {
   return 0.2126 * photo.at(row, column, 0) + 0.7152 * photo.at(row, column, 1) +
@@ -34,7 +34,7 @@ std::optional<Alarm> dark(const Image& photo) {
   const double share =
       share_of(photo, [&](int row, int column) { return luminance(photo, row, column) < kBlack; });
   if (share < kMost) return std::nullopt;
-  return Alarm{"dark", percent(share) +
+  return Alarm{"dark", whole_percent(share) +
                            " of the photo is black: it says little about the material. Take it "
                            "with more light or a longer exposure."};
 }
@@ -45,7 +45,7 @@ std::optional<Alarm> burnt_out(const Image& photo) {
     return std::max({photo.at(row, column, 0), photo.at(row, column, 1), photo.at(row, column, 2)}) > kWhite;
   });
   if (share < kMost) return std::nullopt;
-  return Alarm{"burnt out", percent(share) +
+  return Alarm{"burnt out", whole_percent(share) +
                                 " of the photo is as bright as it can be, and what differs there "
                                 "is lost. Take it with a shorter exposure."};
 }
@@ -86,7 +86,7 @@ std::optional<Alarm> clipped(const Image& photo) {
   for (int channel = 0; channel < 3; ++channel) share = std::max(share, plateau(histogram(photo, channel)));
   if (share < kMost) return std::nullopt;
   return Alarm{"clipped",
-               percent(share) +
+               whole_percent(share) +
                    " of the photo is cut off at one brightness below white: it was burnt out there, and then "
                    "darkened or tinted. Use it as the camera took it, or with a shorter exposure."};
 }
@@ -145,7 +145,7 @@ std::optional<Alarm> off_centre(const Image& photo) {
   const double distance = std::hypot(x, y) / mass;
   if (distance < kFar) return std::nullopt;
   return Alarm{"off centre",
-               "The photo is brightest " + percent(distance) +
+               "The photo is brightest " + whole_percent(distance) +
                    " of its side off the middle, where the flash is taken to be: crop it around "
                    "its highlight, or take it with the flash beside the camera."};
 }

@@ -8,16 +8,13 @@
 #include "engine/diagnostics/running_convergence.h"
 
 namespace patina {
-namespace {
-
-struct ChainCount {
-  std::int64_t draws = 0, divergences = 0;
-  double acceptance_sum = 0;
-};
-
-}  // namespace
 
 struct RunningSummary::State {
+  struct ChainCount {
+    std::int64_t draws = 0, divergences = 0;
+    double acceptance_sum = 0;
+  };
+
   std::size_t continuous, discrete;
   std::vector<RunningConvergence> quantities;  ///< lp first, then the table's order
   std::vector<ChainCount> chains;
@@ -42,7 +39,7 @@ void RunningSummary::add(const Draw& draw) {
   for (const int level : values.discrete) quantity++->add(draw.chain, level);
   if (chains.size() <= static_cast<std::size_t>(draw.chain))
     chains.resize(static_cast<std::size_t>(draw.chain) + 1);
-  ChainCount& chain = chains[static_cast<std::size_t>(draw.chain)];
+  State::ChainCount& chain = chains[static_cast<std::size_t>(draw.chain)];
   ++chain.draws;
   chain.divergences += draw.divergent;
   chain.acceptance_sum += draw.accept_stat;
@@ -66,7 +63,7 @@ void RunningSummary::update(RunSummary& summary) const {
         quantity.chain_means.push_back({static_cast<int>(k), figures.chain_means[k]});
   }
   for (ChainSummary& chain : summary.chains) {
-    const ChainCount& count = state_->chains[static_cast<std::size_t>(chain.chain)];
+    const State::ChainCount& count = state_->chains[static_cast<std::size_t>(chain.chain)];
     chain.draws = count.draws;
     chain.divergences = count.divergences;
     chain.acceptance = count.acceptance_sum / static_cast<double>(count.draws);

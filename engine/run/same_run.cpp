@@ -8,16 +8,16 @@
 namespace patina {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
-Json identity(const Manifest& manifest) {
-  Json json = Json::parse(to_json(manifest));
+SortedJson identity(const Manifest& manifest) {
+  SortedJson json = SortedJson::parse(to_json(manifest));
   for (const char* progress :
        {"phase", "reason", "map", "so_far", "kernel", "basins", "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
-  json["alarms"] = Json::array();
+  json["alarms"] = SortedJson::array();
   for (const char* free : {"draws", "map_only", "stop"}) json["settings"].erase(free);
   // As before there were others.
   if (json["settings"]["errors"] == "paper") json["settings"].erase("errors");
@@ -27,7 +27,7 @@ Json identity(const Manifest& manifest) {
   return json.flatten();
 }
 
-std::string value_in(const Json& flat, const std::string& key) {
+std::string value_in(const SortedJson& flat, const std::string& key) {
   return flat.contains(key) ? flat[key].dump() : "not set";
 }
 
@@ -36,8 +36,8 @@ std::string value_in(const Json& flat, const std::string& key) {
 std::string run_key(const Manifest& manifest) { return sha256_hex(identity(manifest).dump()); }
 
 void check_same_run(const std::filesystem::path& directory, const Manifest& made, const Manifest& asked) {
-  const Json before = identity(made), now = identity(asked);
-  Json keys = before;
+  const SortedJson before = identity(made), now = identity(asked);
+  SortedJson keys = before;
   keys.update(now);
   for (const auto& [key, ignored] : keys.items()) {
     const std::string there = value_in(before, key), here = value_in(now, key);

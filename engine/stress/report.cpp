@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/format.h"
+#include "engine/number_json.h"
 
 namespace patina {
 namespace {
@@ -21,8 +22,6 @@ std::string error_text(const Error& error) {
   if (!std::isfinite(error.size)) return "no answer";
   return format("%.2f", error.size) + (std::isfinite(error.mcse) ? " ± " + format("%.2f", error.mcse) : "");
 }
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string counts(const std::vector<Cell>& cells) {
   std::string text;
@@ -82,12 +81,12 @@ Json report_json(const std::vector<Cell>& cells) {
                     {"kernel", cell.kernel},
                     {"outcome", word(cell.outcome)},
                     {"of", cell.evidence.error.name},
-                    {"error", number(cell.evidence.error.size)},
-                    {"mcse", number(cell.evidence.error.mcse)},
+                    {"error", number_json(cell.evidence.error.size)},
+                    {"mcse", number_json(cell.evidence.error.mcse)},
                     {"warnings", warnings(cell.evidence)},
                     {"alarms", alarms},
                     {"refusal", cell.evidence.refusal},
-                    {"seconds", number(cell.evidence.seconds)}});
+                    {"seconds", number_json(cell.evidence.seconds)}});
   }
   return {{"cells", list}};
 }

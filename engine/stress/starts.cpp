@@ -8,22 +8,22 @@
 namespace patina {
 namespace {
 
-constexpr Eigen::Index kDimension = 8;
+constexpr Eigen::Index kUnequalDimension = 8;
 
 double sd_of(Eigen::Index i) { return 0.05 * std::pow(1.4, static_cast<double>(i)); }
 
 /// Independent normals of sds from 0.05 to 0.5.
 KnownPosterior unequal() {
-  KnownPosterior posterior = in_coordinates(kDimension, [](const Position& p) {
+  KnownPosterior posterior = in_coordinates(kUnequalDimension, [](const Position& p) {
     Evaluation e{0, p.continuous};
-    for (Eigen::Index i = 0; i < kDimension; ++i) {
+    for (Eigen::Index i = 0; i < kUnequalDimension; ++i) {
       const double off = p.continuous[i] / sd_of(i);
       e.log_density -= 0.5 * off * off;
       e.gradient[i] = -off / sd_of(i);
     }
     return e;
   });
-  for (Eigen::Index i = 0; i < kDimension; ++i)
+  for (Eigen::Index i = 0; i < kUnequalDimension; ++i)
     posterior.known.push_back(parameter(posterior, static_cast<std::size_t>(i), 0, sd_of(i)));
   return posterior;
 }
@@ -46,7 +46,7 @@ KnownPosterior peak_in_a_plain(double height, double sd) {
   return posterior;
 }
 
-Position at(double place) { return {Eigen::VectorXd::Constant(kDimension, place), {}}; }
+Position at(double place) { return {Eigen::VectorXd::Constant(kUnequalDimension, place), {}}; }
 
 }  // namespace
 

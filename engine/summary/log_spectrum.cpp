@@ -33,7 +33,7 @@ int band_of(double frequency, const std::vector<int>& edges) {
 
 at::Tensor normalised(const at::Tensor& weights) { return weights / weights.sum(0, /*keepdim=*/true); }
 
-at::Tensor ring_weights(std::int64_t n, int rings) {
+at::Tensor frequency_ring_weights(std::int64_t n, int rings) {
   const std::vector<int> edges = band_edges(static_cast<int>(n / 2), rings);
   const std::int64_t half = n / 2 + 1;
   at::Tensor weights = at::zeros({n * half, rings}, at::kFloat);
@@ -72,7 +72,7 @@ std::vector<int> band_edges(int nyquist, int bands) {
 }
 
 RingSpectrum::RingSpectrum(int rings)
-    : rings_(rings), weights_([rings](std::int64_t n) { return ring_weights(n, rings); }) {}
+    : rings_(rings), weights_([rings](std::int64_t n) { return frequency_ring_weights(n, rings); }) {}
 
 at::Tensor RingSpectrum::of(const at::Tensor& images) const {
   const at::Tensor transform = at::fft_rfft2(luma(images), {}, {-2, -1}, "ortho");

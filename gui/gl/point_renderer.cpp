@@ -15,14 +15,14 @@ struct Vertex {
   std::uint32_t color;  ///< opacity already lowered where dimmed
 };
 
-constexpr float kDimmedOpacity = 0.25f;
-constexpr int kTile = 64;  // pixels
+constexpr float kDimmedPointOpacity = 0.25f;
+constexpr int kTileSide = 64;  // pixels
 
-int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
+int tiles_across(int pixels) { return (pixels + kTileSide - 1) / kTileSide; }
 
 std::uint32_t dimmed(std::uint32_t color) {
   const auto alpha =
-      static_cast<std::uint32_t>(std::lround(kDimmedOpacity * static_cast<float>(color >> 24)));
+      static_cast<std::uint32_t>(std::lround(kDimmedPointOpacity * static_cast<float>(color >> 24)));
   return (color & 0x00ffffffu) | alpha << 24;
 }
 
@@ -151,7 +151,7 @@ void PointRenderer::draw_density(std::span<const PlotPoint> fresh) {
 void PointRenderer::touch(float left, float top, float right, float bottom) {
   const int columns = tiles_across(target_->width()), rows = tiles_across(target_->height());
   const auto tile = [](float pixel, int count) {
-    return std::clamp(static_cast<int>(pixel) / kTile, 0, count - 1);
+    return std::clamp(static_cast<int>(pixel) / kTileSide, 0, count - 1);
   };
   for (int row = tile(top, rows); row <= tile(bottom, rows); ++row)
     for (int column = tile(left, columns); column <= tile(right, columns); ++column)
@@ -162,8 +162,9 @@ void PointRenderer::show(ImDrawList& list, ImVec2 top_left, ImVec2 bottom_right)
   const PremultipliedImages premultiplied(list);
   const int columns = tiles_across(target_->width()), rows = tiles_across(target_->height());
   const auto in_texture = [&](int column, int row) {
-    return ImVec2{std::min(1.0f, static_cast<float>(column * kTile) / static_cast<float>(target_->width())),
-                  std::min(1.0f, static_cast<float>(row * kTile) / static_cast<float>(target_->height()))};
+    return ImVec2{
+        std::min(1.0f, static_cast<float>(column * kTileSide) / static_cast<float>(target_->width())),
+        std::min(1.0f, static_cast<float>(row * kTileSide) / static_cast<float>(target_->height()))};
   };
   const auto on_screen = [&](ImVec2 uv) {
     return ImVec2{std::lerp(top_left.x, bottom_right.x, uv.x), std::lerp(top_left.y, bottom_right.y, uv.y)};

@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-constexpr const char* kName = "Commands##palette";
+constexpr const char* kPalette = "Commands##palette";
 
 }  // namespace
 
@@ -48,13 +48,14 @@ void CommandPalette::choose(const PanelContext& context, const Action& action) {
 }
 
 void CommandPalette::draw(const PanelContext& context, const std::vector<Action>& actions) {
-  if (visible_ && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
+  if (visible_ && !ImGui::IsPopupOpen(kPalette)) ImGui::OpenPopup(kPalette);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({0.5f * display.x, 0.12f * display.y}, ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({std::min(36 * em, display.x - 2 * em), std::min(30 * em, 0.8f * display.y)});
   if (!ImGui::BeginPopupModal(
-          kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+          kPalette, nullptr,
+          ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
     return;
   if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);

@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kName = "Files##dialog";
+constexpr const char* kFileDialog = "Files##dialog";
 
 const char* kind_text(DirectoryEntry::Kind kind) {
   switch (kind) {
@@ -119,7 +119,7 @@ void FileDialog::draw_buttons() {
 }
 
 std::optional<fs::path> FileDialog::draw(const PanelContext& context, ExportForm& form) {
-  if (!begin_box(kName, visible_, {44, 34})) return std::nullopt;
+  if (!begin_box(kFileDialog, visible_, {44, 34})) return std::nullopt;
   heading_text(context, purpose_ == Purpose::open ? "Open a photo or a run" : "Export the draw");
   draw_path();
   const bool exports = purpose_ == Purpose::export_folder;

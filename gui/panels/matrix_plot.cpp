@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kLeastCell = 3.2f;  // em
 constexpr float kLabelRoom = 1.3f;  // em, above the first cell
-constexpr float kGap = 2;           // pixels between cells
+constexpr float kCellGap = 2;       // pixels between cells
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr auto kCountingTime = std::chrono::milliseconds(4);  // of a frame
 constexpr auto kPicturingTime = std::chrono::milliseconds(3);
@@ -57,8 +57,8 @@ PlotView MatrixPlot::cell_view(std::size_t row, std::size_t column) const {
   PlotView view;
   view.left = corner_.x + cell_.x * static_cast<float>(column);
   view.top = corner_.y + cell_.y * static_cast<float>(row);
-  view.width = cell_.x - kGap;
-  view.height = cell_.y - kGap;
+  view.width = cell_.x - kCellGap;
+  view.height = cell_.y - kCellGap;
   view.x = grids_.range(column);
   view.y = grids_.range(row);
   return view;
@@ -140,8 +140,8 @@ void MatrixPlot::draw_cells(const ExplorerModel& model, const PairGrids::Part& p
   for (std::size_t i = part.first_row; i < part.last_row; ++i) {
     const PlotView last = cell_view(i, i);
     const float right = last.left + last.width, bottom = last.top + last.height;
-    list.AddRectFilled({corner_.x, bottom}, {right, bottom + kGap}, theme::kPanel);
-    list.AddRectFilled({right, last.top}, {right + kGap, corner_.y + count * cell_.y}, theme::kPanel);
+    list.AddRectFilled({corner_.x, bottom}, {right, bottom + kCellGap}, theme::kPanel);
+    list.AddRectFilled({right, last.top}, {right + kCellGap, corner_.y + count * cell_.y}, theme::kPanel);
     draw_bars_above({last.left, bottom, last.width, 0, last.x, {}}, grids_.bars(i), 0.9f * last.height);
     for (std::size_t column = part.first_column; column < std::min(part.last_column, i); ++column)
       draw_points(model, {i, column});

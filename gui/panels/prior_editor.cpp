@@ -7,7 +7,7 @@
 namespace patina {
 namespace {
 
-constexpr const char* kName = "assumed";
+constexpr const char* kPriorPopup = "assumed";
 
 }  // namespace
 
@@ -48,10 +48,10 @@ void PriorEditor::draw_fields(const PanelContext& context, const Parameter& own,
 }
 
 void PriorEditor::draw(const PanelContext& context) {
-  if (opens_) ImGui::OpenPopup(kName);
+  if (opens_) ImGui::OpenPopup(kPriorPopup);
   ImGui::SetNextWindowPos(point_, ImGuiCond_Always, {1, 0.3f});
   opens_ = false;
-  if (!ImGui::BeginPopup(kName)) return;
+  if (!ImGui::BeginPopup(kPriorPopup)) return;
   RunChoices& choices = context.session.choices();
   const auto index = choices.material().find_continuous(parameter_);
   if (!index) {

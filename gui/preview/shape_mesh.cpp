@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kCells = 96;  // a side: facets no longer show
+constexpr int kFacets = 96;  // a side: facets no longer show
 
 /// A surface over the unit square, (0, 0) at its top left, and how many copies of the maps it bears.
 struct Patch {
@@ -50,14 +50,14 @@ ShapeVertex vertex(const Patch& patch, double u, double v) {
 }
 
 ShapeMesh mesh(const Patch& patch) {
-  constexpr double kStep = 1.0 / kCells;
+  constexpr double kStep = 1.0 / kFacets;
   ShapeMesh mesh;
-  for (int row = 0; row <= kCells; ++row)
-    for (int column = 0; column <= kCells; ++column)
+  for (int row = 0; row <= kFacets; ++row)
+    for (int column = 0; column <= kFacets; ++column)
       mesh.vertices.push_back(vertex(patch, column * kStep, row * kStep));
-  constexpr std::uint32_t kStride = kCells + 1;
-  for (std::uint32_t row = 0; row < kCells; ++row)
-    for (std::uint32_t column = 0; column < kCells; ++column) {
+  constexpr std::uint32_t kStride = kFacets + 1;
+  for (std::uint32_t row = 0; row < kFacets; ++row)
+    for (std::uint32_t column = 0; column < kFacets; ++column) {
       const std::uint32_t corner = row * kStride + column, below = corner + kStride;
       mesh.indices.insert(mesh.indices.end(), {corner, below, corner + 1, corner + 1, below, below + 1});
     }

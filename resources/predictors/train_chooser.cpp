@@ -20,7 +20,7 @@
 #include "engine/error.h"
 #include "engine/material/registry.h"
 #include "resources/predictors/chooser_file.h"
-#include "resources/predictors/simulated_photos.h"
+#include "resources/predictors/photo_examples.h"
 #include "resources/predictors/training.h"
 
 namespace patina {
@@ -30,7 +30,7 @@ struct Options {
   std::filesystem::path out, data;
   std::int64_t hidden = 64, held_back = 1500;
   int photos = 1500, threads = 2;
-  TrainingSettings training{.epochs = 20, .noise = 0.3};
+  DenseTrainingSettings training{.epochs = 20, .noise = 0.3};
 };
 
 Options parse(int argc, char** argv, CLI::App& app) {
@@ -50,10 +50,10 @@ Options parse(int argc, char** argv, CLI::App& app) {
   return options;
 }
 
-SimulatedPhotos photos_of(const Options& options, const std::string& material) {
+PhotoExamples photos_of(const Options& options, const std::string& material) {
   const std::filesystem::path kept = options.data / ("varied-" + material + ".pt");
-  if (!options.data.empty() && std::filesystem::exists(kept)) return load_simulated_photos(kept);
-  SimulatedPhotos photos =
+  if (!options.data.empty() && std::filesystem::exists(kept)) return load_photo_examples(kept);
+  PhotoExamples photos =
       simulate_photos(material, options.photos, options.training.seed, options.threads, /*varied=*/true);
   if (!options.data.empty()) save(photos, kept);
   return photos;
@@ -92,12 +92,13 @@ int run(int argc, char** argv) {
   const auto loss = [&](const at::Tensor& outputs, const at::Tensor& indices) {
     return at::cross_entropy_loss(outputs, all.materials.index_select(0, indices));
   };
-  train(student, all.features, options.held_back, loss, options.training, [&](const TrainingReport& made) {
-    if (made.best) write_safetensors(options.out, chooser_file(student));
-    std::printf("epoch %2d: loss %.4f, on photos held back %.4f%s\n", made.epoch, made.loss, made.held_back,
-                made.best ? " (kept)" : "");
-    std::fflush(stdout);
-  });
+  train(student, all.features, options.held_back, loss, options.training,
+        [&](const DenseTrainingReport& made) {
+          if (made.best) write_safetensors(options.out, chooser_file(student));
+          std::printf("epoch %2d: loss %.4f, on photos held back %.4f%s\n", made.epoch, made.loss,
+                      made.held_back, made.best ? " (kept)" : "");
+          std::fflush(stdout);
+        });
   return 0;
 }
 

@@ -12,8 +12,8 @@
 #include "engine/allocator.h"
 #include "engine/error.h"
 #include "engine/material/registry.h"
+#include "resources/predictors/photo_examples.h"
 #include "resources/predictors/predictor_loss.h"
-#include "resources/predictors/simulated_photos.h"
 #include "resources/predictors/training.h"
 
 namespace patina {
@@ -24,7 +24,7 @@ struct Options {
   std::filesystem::path out, data;
   int photos = 20000, held_back = 1000, threads = 2;
   std::int64_t hidden = 96;
-  TrainingSettings training;
+  DenseTrainingSettings training;
 };
 
 Options parse(int argc, char** argv, CLI::App& app) {
@@ -45,11 +45,11 @@ Options parse(int argc, char** argv, CLI::App& app) {
   return options;
 }
 
-SimulatedPhotos photos_of(const Options& options) {
+PhotoExamples photos_of(const Options& options) {
   if (!options.data.empty() && std::filesystem::exists(options.data))
-    return load_simulated_photos(options.data);
-  SimulatedPhotos photos = simulate_photos(options.material, options.photos + options.held_back,
-                                           options.training.seed, options.threads);
+    return load_photo_examples(options.data);
+  PhotoExamples photos = simulate_photos(options.material, options.photos + options.held_back,
+                                         options.training.seed, options.threads);
   if (!options.data.empty()) save(photos, options.data);
   return photos;
 }
@@ -68,7 +68,7 @@ int run(int argc, char** argv) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   const ParameterTable table = material_table(options.material);
-  const SimulatedPhotos photos = photos_of(options);
+  const PhotoExamples photos = photos_of(options);
   std::printf("%.0f s for %lld photos of %s\n", seconds(), static_cast<long long>(photos.features.size(0)),
               options.material.c_str());
   const double prior = prior_loss(table);
@@ -77,12 +77,13 @@ int run(int argc, char** argv) {
     return predictor_loss(table, outputs, photos.coordinates.index_select(0, indices),
                           photos.levels.index_select(0, indices));
   };
-  train(student, photos.features, options.held_back, loss, options.training, [&](const TrainingReport& made) {
-    if (made.best) write_safetensors(options.out, predictor_file(table, student));
-    std::printf("epoch %2d: %.3f nats better than the prior, on photos held back %.3f%s\n", made.epoch,
-                prior - made.loss, prior - made.held_back, made.best ? " (kept)" : "");
-    std::fflush(stdout);
-  });
+  train(student, photos.features, options.held_back, loss, options.training,
+        [&](const DenseTrainingReport& made) {
+          if (made.best) write_safetensors(options.out, predictor_file(table, student));
+          std::printf("epoch %2d: %.3f nats better than the prior, on photos held back %.3f%s\n", made.epoch,
+                      prior - made.loss, prior - made.held_back, made.best ? " (kept)" : "");
+          std::fflush(stdout);
+        });
   std::printf("%.0f s in all\n", seconds());
   return 0;
 }

@@ -30,7 +30,8 @@ void limit_gradient(const std::vector<at::Tensor>& parameters) {
 
 void train(DenseStudent& student, const at::Tensor& features, std::int64_t held_back,
            const std::function<at::Tensor(const at::Tensor&, const at::Tensor&)>& loss,
-           const TrainingSettings& settings, const std::function<void(const TrainingReport&)>& report) {
+           const DenseTrainingSettings& settings,
+           const std::function<void(const DenseTrainingReport&)>& report) {
   const at::Tensor inputs = student.standardised(features);
   const std::int64_t count = features.size(0) - held_back;
   const at::Tensor others = at::arange(count, features.size(0), at::kLong);

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-struct TrainingSettings {
+struct DenseTrainingSettings {
   int epochs = 60, batch = 200;
   double rate = 1e-3;   ///< the highest, of AdamW; falls as a cosine to nothing
   double decay = 0.02;  ///< of weights
@@ -17,7 +17,7 @@ struct TrainingSettings {
   std::uint64_t seed = 1;
 };
 
-struct TrainingReport {
+struct DenseTrainingReport {
   int epoch = 0;
   double loss = 0, held_back = 0;
   bool best = false;  ///< so far, on what was held back
@@ -29,6 +29,7 @@ struct TrainingReport {
 /// @param report    called after each epoch, with the student as it is
 void train(DenseStudent& student, const at::Tensor& features, std::int64_t held_back,
            const std::function<at::Tensor(const at::Tensor& outputs, const at::Tensor& indices)>& loss,
-           const TrainingSettings& settings, const std::function<void(const TrainingReport&)>& report);
+           const DenseTrainingSettings& settings,
+           const std::function<void(const DenseTrainingReport&)>& report);
 
 }  // namespace patina

@@ -36,7 +36,7 @@ TEST(Trial, has_the_best_match_first_and_then_draws_in_order_of_time) {
   const Trial trial = run_trial(problem, quick_setting(), {.seed = 3, .draws = 50});
   ASSERT_FALSE(trial.search.empty());
   ASSERT_EQ(trial.chains.size(), 4u);
-  for (const ChainTrace& chain : trial.chains) {
+  for (const TrialChain& chain : trial.chains) {
     ASSERT_EQ(chain.seconds.size(), 50u);
     EXPECT_TRUE(std::ranges::is_sorted(chain.seconds));
     EXPECT_LE(trial.search.back().seconds, chain.seconds.front());

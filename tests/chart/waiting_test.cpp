@@ -38,7 +38,7 @@ Trial some_trial() {
 WaitingPoint directly(const Trial& trial, const GoldStandard& gold, double seconds) {
   Eigen::Vector2d sum(0, 0);
   long draws = 0;
-  for (const ChainTrace& chain : trial.chains)
+  for (const TrialChain& chain : trial.chains)
     for (std::size_t i = 0; i < chain.seconds.size(); ++i)
       if (chain.seconds[i] <= seconds) sum += chain.values[i], ++draws;
   Eigen::Vector2d estimate = sum / std::max(draws, 1L);
@@ -68,7 +68,7 @@ TEST(WaitingCurve, is_the_match_and_then_the_mean_of_what_has_been_drawn) {
 
 TEST(WaitingCurve, of_a_trial_that_is_over_in_a_moment_has_its_end) {
   Trial trial = some_trial();
-  for (ChainTrace& chain : trial.chains) std::ranges::fill(chain.seconds, 0.85);  // between two of the times
+  for (TrialChain& chain : trial.chains) std::ranges::fill(chain.seconds, 0.85);  // between two of the times
   trial.search.clear();
   trial.seconds = 0.9;
   const std::vector<WaitingPoint> curve = waiting_curve(trial, some_gold());

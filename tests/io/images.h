@@ -25,6 +25,9 @@ Image ramps(int width, int height, int channels);
 /// The same value everywhere. @param values  one per channel
 Image uniform(int width, int height, const std::vector<float>& values);
 
+/// What rounding to 8 bits may be off by.
+constexpr float kEightBit = 0.51f / 255;
+
 /// The largest absolute difference; infinity where the sizes differ.
 float max_difference(const Image& a, const Image& b);
 

@@ -3,13 +3,13 @@
 
 #include "engine/io/image_format.h"
 #include "engine/io/photo.h"
-#include "tests/io/images.h"
 #include "tests/io/folder_test.h"
+#include "tests/io/images.h"
 
 namespace patina {
 namespace {
 
-constexpr float kEightBit = 0.51f / 255, kSixteenBit = 0.51f / 65535;
+constexpr float kSixteenBit = 0.51f / 65535;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 

@@ -11,8 +11,6 @@
 namespace patina {
 namespace {
 
-constexpr float kEightBit = 0.51f / 255;
-
 using PhotoGeometry = FolderTest;
 
 /// Where EXIF 2.32 (tag 274) says the stored pixel belongs when the photo is seen upright.

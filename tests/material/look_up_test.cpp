@@ -12,11 +12,11 @@
 namespace patina {
 namespace {
 
-using LookUp = at::Tensor (*)(const MipMap&, const at::Tensor&, const at::Tensor&, const at::Tensor&, int,
-                              Neighbours);
+using LookUpFunction = at::Tensor (*)(const MipMap&, const at::Tensor&, const at::Tensor&, const at::Tensor&,
+                                      int, Neighbours);
 
 /// What a look-up says, and the gradient of a weighted sum of it by scale and shifts.
-std::vector<at::Tensor> looked(LookUp look_up, const MipMap& map, double scale, int resolution,
+std::vector<at::Tensor> looked(LookUpFunction look_up, const MipMap& map, double scale, int resolution,
                                at::ScalarType type) {
   const auto leaf = [&](double value) {
     return at::tensor(value, at::kFloat).to(type).detach().set_requires_grad(true);

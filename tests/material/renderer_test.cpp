@@ -19,7 +19,7 @@ at::Tensor planes_of(const Image& image) {
       .clone();
 }
 
-at::Tensor scalar(double x) { return at::tensor(x, at::kFloat); }
+at::Tensor float_scalar(double x) { return at::tensor(x, at::kFloat); }
 
 class EveryRenderer : public testing::TestWithParam<std::string> {
  protected:
@@ -48,8 +48,8 @@ TEST_P(EveryRenderer, MapsShadedAgainAreTheRender) {
                              at::tensor(std::vector<float>(lobe.f0.begin(), lobe.f0.end())), roughness[0],
                              roughness[1]});
   }
-  surface.light = scalar(maps.light);
-  surface.vignette_sigma = scalar(maps.vignette_sigma);
+  surface.light = float_scalar(maps.light);
+  surface.vignette_sigma = float_scalar(maps.vignette_sigma);
   const at::Tensor again = display(shade(surface, maps.capture, 64), DisplayCurve::srgb);
   EXPECT_LT((again - planes_of(renderer.render(values, 64))).abs().max().item<float>(), 1e-4);
   EXPECT_EQ(maps.height.channels, 1);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-at::Tensor scalar(double x) { return at::full({}, x, at::kDouble); }
+at::Tensor double_scalar(double x) { return at::full({}, x, at::kDouble); }
 
 double relative_difference(const at::Tensor& a, const at::Tensor& b) {
   return ((a - b).square().mean() / b.square().mean()).sqrt().item<double>();
@@ -37,8 +37,8 @@ at::Tensor at_coarse_centres(const at::Tensor& fine) {
 TEST(GaussianHeightfield, IsTheSumOverFrequenciesThatItsDocumentationWrites) {
   constexpr int n = 6;
   const double size = 3, fscale = 0.2, sigma_x = 0.7, sigma_y = 0.4;
-  const at::Tensor height = gaussian_heightfield(shared_irregularities(), scalar(fscale), scalar(sigma_x),
-                                                 scalar(sigma_y), size, n);
+  const at::Tensor height = gaussian_heightfield(shared_irregularities(), double_scalar(fscale),
+                                                 double_scalar(sigma_x), double_scalar(sigma_y), size, n);
   const Phasors phasors = shared_irregularities().phasors(n, at::kDouble);
   const auto phasor = [&](int f, int g,
                           int part) {  // the half of the plane that `forward` lacks is conjugate
@@ -67,15 +67,15 @@ TEST(GaussianHeightfield, InOnePassOverFrequenciesEqualsTensorOperationsWithItsG
     const auto height = [n](const std::vector<at::Tensor>& i) {
       return gaussian_heightfield(shared_irregularities(), i[0], i[1], i[2], 3, n);
     };
-    expect_same(height, height, {scalar(0.2), scalar(1.7), scalar(2.4)});
+    expect_same(height, height, {double_scalar(0.2), double_scalar(1.7), double_scalar(2.4)});
   }
 }
 
 TEST(GaussianHeightfield, HasTheVarianceOfItsSpectrum) {
   const int n = 256;
   const double size = 21.21, fscale = 0.1, sigma = 2;
-  const at::Tensor height =
-      gaussian_heightfield(shared_irregularities(), scalar(fscale), scalar(sigma), scalar(sigma), size, n);
+  const at::Tensor height = gaussian_heightfield(shared_irregularities(), double_scalar(fscale),
+                                                 double_scalar(sigma), double_scalar(sigma), size, n);
   // Var h = 1/2 sum A^2 / size^4, and the sum is an integral: A^2 has sd sigma / sqrt 2 on either axis.
   const double expected = fscale * fscale * kPi * sigma * sigma / (2 * size * size);
   EXPECT_NEAR(height.var().item<double>() / expected, 1, 0.1);
@@ -83,7 +83,8 @@ TEST(GaussianHeightfield, HasTheVarianceOfItsSpectrum) {
 
 TEST(GaussianHeightfield, AFinerGridSamplesTheSameSurface) {
   const auto height = [](int n) {
-    return gaussian_heightfield(shared_irregularities(), scalar(0.1), scalar(0.3), scalar(0.4), 21.21, n);
+    return gaussian_heightfield(shared_irregularities(), double_scalar(0.1), double_scalar(0.3),
+                                double_scalar(0.4), 21.21, n);
   };
   EXPECT_LT(relative_difference(at_coarse_centres(height(216)), height(72)), 1e-3);
   EXPECT_LT(relative_difference(at_coarse_centres(height(213)), height(71)), 1e-3);  // odd sizes too
@@ -181,20 +182,22 @@ double radiance(const Capture& capture, int n, int row, int column, const std::a
 }
 
 at::Tensor uniform_normal(const std::array<double, 3>& normal, int n) {
-  return at::stack({scalar(normal[0]), scalar(normal[1]), scalar(normal[2])})
+  return at::stack({double_scalar(normal[0]), double_scalar(normal[1]), double_scalar(normal[2])})
       .view({3, 1, 1})
       .expand({3, n, n});
 }
 
 Surface plane(const std::array<double, 3>& direction, double rough_x, double rough_y, int n) {
   Surface surface;
-  surface.base_color = at::stack({scalar(0.5), scalar(0.3), scalar(0.1)}).view({3, 1, 1});
+  surface.base_color =
+      at::stack({double_scalar(0.5), double_scalar(0.3), double_scalar(0.1)}).view({3, 1, 1});
   surface.height = at::zeros({n, n}, at::kDouble);
   surface.normal = uniform_normal(direction, n);
-  const at::Tensor x = scalar(rough_x);
-  surface.lobes = {{surface.normal, scalar(0.04).view({1}), x, rough_x == rough_y ? x : scalar(rough_y)}};
-  surface.light = scalar(1300);
-  surface.vignette_sigma = scalar(9);
+  const at::Tensor x = double_scalar(rough_x);
+  surface.lobes = {
+      {surface.normal, double_scalar(0.04).view({1}), x, rough_x == rough_y ? x : double_scalar(rough_y)}};
+  surface.light = double_scalar(1300);
+  surface.vignette_sigma = double_scalar(9);
   return surface;
 }
 
@@ -221,7 +224,7 @@ TEST(Shade, AnisotropicLobeWithEqualRoughnessesIsTheIsotropicOne) {
   const std::array<double, 3> normal{0.36, 0.48, 0.8};
   Surface surface = plane(normal, 0.3, 0.3, n);
   const at::Tensor isotropic = shade(surface, Capture{}, n);
-  surface.lobes[0].roughness_y = scalar(0.3);  // another tensor: the general formula
+  surface.lobes[0].roughness_y = double_scalar(0.3);  // another tensor: the general formula
   EXPECT_LT(relative_difference(shade(surface, Capture{}, n), isotropic), 1e-12);
 }
 
@@ -239,8 +242,8 @@ TEST(Shade, SwappingTheRoughnessesTurnsTheHighlightOfAFlatSurface) {
 TEST(Shade, LobesAndBaseAddUp) {
   constexpr int n = 8;
   Surface both = plane({0, 0, 1}, 0.3, 0.3, n);
-  both.lobes.push_back(
-      {uniform_normal({0.6, 0, 0.8}, n), at::rand({3, n, n}, at::kDouble), scalar(0.4), scalar(0.6)});
+  both.lobes.push_back({uniform_normal({0.6, 0, 0.8}, n), at::rand({3, n, n}, at::kDouble),
+                        double_scalar(0.4), double_scalar(0.6)});
   Surface base = both, first = both, second = both;
   base.lobes.clear();
   first.base_color = second.base_color = at::zeros({3, 1, 1}, at::kDouble);
@@ -263,7 +266,8 @@ TEST(Display, CurvesAreTheTextbookOnes) {
 
 TEST(Display, ClampsAndKeepsItsGradientFinite) {
   for (const DisplayCurve curve : {DisplayCurve::srgb, DisplayCurve::gamma22}) {
-    const at::Tensor radiance = at::stack({scalar(-1), scalar(0), scalar(1e-9), scalar(1), scalar(7)});
+    const at::Tensor radiance = at::stack(
+        {double_scalar(-1), double_scalar(0), double_scalar(1e-9), double_scalar(1), double_scalar(7)});
     const at::Tensor leaf = radiance.to(at::kFloat).set_requires_grad(true);
     const at::Tensor shown = display(leaf, curve);
     EXPECT_LT(shown[0].item<float>(), 0.5 / 255);

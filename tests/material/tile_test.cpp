@@ -16,7 +16,7 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 256;
+constexpr int kTileSize = 256;
 
 /// The prior's mean, with features of several pixels and, where there are shifts, off centre.
 ParameterValues coarse_features(const ParameterTable& table) {
@@ -105,8 +105,8 @@ class TileOf : public testing::TestWithParam<std::string> {
 using EveryTile = TileOf;
 
 TEST_P(EveryTile, ContinuesOnTheOppositeSideOfItsBorders) {
-  const MaterialMaps tile = renderer.tile(values, kSize);
-  EXPECT_EQ(tile.resolution(), kSize);
+  const MaterialMaps tile = renderer.tile(values, kTileSize);
+  EXPECT_EQ(tile.resolution(), kTileSize);
   EXPECT_LE(worst_seam(GetParam() == "wood" ? plain_maps(tile) : all_maps(tile)), 1);
 }
 
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Materials, EveryTile,
 using OpenSample = TileOf;
 
 TEST_P(OpenSample, HasASeamUnlessATileIsAskedFor) {
-  EXPECT_GT(worst_seam(all_maps(renderer.maps(values, kSize))), 1.3);
+  EXPECT_GT(worst_seam(all_maps(renderer.maps(values, kTileSize))), 1.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Materials, OpenSample, testing::Values("leather", "plaster", "flake", "wood"),
@@ -128,9 +128,9 @@ INSTANTIATE_TEST_SUITE_P(Materials, OpenSample, testing::Values("leather", "plas
 using MapTile = TileOf;
 
 TEST_P(MapTile, ShowsTheSampleInItsMiddleAndItsSurroundings) {
-  const MaterialMaps sample = renderer.maps(values, kSize / 4), tile = renderer.tile(values, kSize);
+  const MaterialMaps sample = renderer.maps(values, kTileSize / 4), tile = renderer.tile(values, kTileSize);
   EXPECT_DOUBLE_EQ(tile.capture.size_cm, 4 * sample.capture.size_cm);
-  constexpr int kMargin = (kSize - kSize / 4) / 2;
+  constexpr int kMargin = (kTileSize - kTileSize / 4) / 2;
   EXPECT_LT(
       largest_difference(all_maps(sample), all_maps(tile),
                          [](int row, int column) { return std::pair(row + kMargin, column + kMargin); }),
@@ -139,13 +139,13 @@ TEST_P(MapTile, ShowsTheSampleInItsMiddleAndItsSurroundings) {
 
 TEST_P(MapTile, MovedByPixelsIsTheTileRolled) {
   constexpr int kRight = 37, kDown = 100;
-  const MaterialMaps tile = renderer.tile(values, kSize);
-  const double pixel = 2 / value_of(renderer.table(), values, "scale") / kSize;
+  const MaterialMaps tile = renderer.tile(values, kTileSize);
+  const double pixel = 2 / value_of(renderer.table(), values, "scale") / kTileSize;
   value_of(renderer.table(), values, "shift_x") += kRight * pixel;
   value_of(renderer.table(), values, "shift_y") += kDown * pixel;
-  EXPECT_LT(largest_difference(all_maps(renderer.tile(values, kSize)), all_maps(tile),
+  EXPECT_LT(largest_difference(all_maps(renderer.tile(values, kTileSize)), all_maps(tile),
                                [](int row, int column) {
-                                 return std::pair((row + kDown) % kSize, (column + kRight) % kSize);
+                                 return std::pair((row + kDown) % kTileSize, (column + kRight) % kTileSize);
                                }),
             2e-3);
 }

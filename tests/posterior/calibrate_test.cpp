@@ -10,7 +10,7 @@
 namespace patina {
 namespace {
 
-constexpr int kResolution = 32;
+constexpr int kSmallResolution = 32;
 constexpr Camera kSmall{.least_side = 0};
 constexpr CalibrationSettings kFew{.pilot = 200, .round = 120, .most_rounds = 2};
 
@@ -18,7 +18,7 @@ constexpr CalibrationSettings kFew{.pilot = 200, .round = 120, .most_rounds = 2}
 Posterior small_posterior(const std::string& material, const Image& photo) {
   PosteriorSettings settings;
   settings.material = material;
-  settings.resolution = kResolution;
+  settings.resolution = kSmallResolution;
   settings.summary = "rings";
   return Posterior(settings, photo);
 }
@@ -27,7 +27,7 @@ Posterior small_posterior(const std::string& material, const Image& photo) {
 Image photo_of_prior_location(const std::string& material) {
   const Renderer renderer(material, 2, Capture{});
   Rng rng(5);
-  const int side = kResolution * kSmall.oversampling;
+  const int side = kSmallResolution * kSmall.oversampling;
   return photographed(renderer.render(prior_location(renderer.table()), side), kSmall, rng);
 }
 

@@ -9,7 +9,7 @@
 namespace patina {
 namespace {
 
-constexpr int kResolution = 32;
+constexpr int kPhotoResolution = 32;
 constexpr Scatterer kTruth = kScatterers[1];
 
 struct Moments {
@@ -64,7 +64,7 @@ Ridge ridge_by_quadrature(const Posterior& posterior) {
 }
 
 TEST(Similarity, DrawsLieAlongTheCurveOfSimilarMediaAndNotAtOnePlaceOfIt) {
-  const Posterior posterior = posterior_of(kTruth, kResolution);
+  const Posterior posterior = posterior_of(kTruth, kPhotoResolution);
   const std::vector<Scatterer> draws =
       draw_scatterers(posterior, {.chains = 4, .warmup = 300, .draws = 1000});
   const Ridge drawn = ridge_of_draws(draws);

@@ -13,8 +13,8 @@
 #include "engine/error.h"
 #include "engine/material/registry.h"
 #include "engine/sampling/rng.h"
+#include "resources/predictors/photo_examples.h"
 #include "resources/predictors/predictor_loss.h"
-#include "resources/predictors/simulated_photos.h"
 
 namespace patina {
 namespace {
@@ -26,19 +26,19 @@ Eigen::VectorXf row(const at::Tensor& matrix, std::int64_t i) {
   return Eigen::Map<const Eigen::VectorXf>(matrix.data_ptr<float>() + i * matrix.size(1), matrix.size(1));
 }
 
-std::vector<int> levels_of(const SimulatedPhotos& photos, std::int64_t i) {
+std::vector<int> levels_of(const PhotoExamples& photos, std::int64_t i) {
   const std::int64_t choices = photos.levels.size(1);
   const std::int64_t* first = photos.levels.data_ptr<std::int64_t>() + i * choices;
   return {first, first + choices};
 }
 
-double log_density(const Predictor& predictor, const SimulatedPhotos& photos, std::int64_t seen,
+double log_density(const Predictor& predictor, const PhotoExamples& photos, std::int64_t seen,
                    std::int64_t truth) {
   return predictor.predict(row(photos.features, seen), kAnyCapture)
       .log_density(row(photos.coordinates, truth).cast<double>(), levels_of(photos, truth));
 }
 
-double prior_log_density(const ParameterTable& table, const SimulatedPhotos& photos, std::int64_t truth) {
+double prior_log_density(const ParameterTable& table, const PhotoExamples& photos, std::int64_t truth) {
   const Eigen::VectorXd u = row(photos.coordinates, truth).cast<double>();
   double log_density = -u.squaredNorm() / 2 - static_cast<double>(u.size()) / 2 * std::log(2 * M_PI);
   for (const DiscreteParameter& choice : table.discrete)
@@ -47,8 +47,8 @@ double prior_log_density(const ParameterTable& table, const SimulatedPhotos& pho
 }
 
 /// Made once: a surface's maps take a while.
-const SimulatedPhotos& photos_of(const std::string& material, int count) {
-  static std::map<std::pair<std::string, int>, SimulatedPhotos> known;
+const PhotoExamples& photos_of(const std::string& material, int count) {
+  static std::map<std::pair<std::string, int>, PhotoExamples> known;
   const auto key = std::pair(material, count);
   if (!known.contains(key)) known.emplace(key, simulate_photos(material, count, kFresh, 2));
   return known.at(key);
@@ -82,7 +82,7 @@ class PredictorFile : public testing::Test {
   }
 
   ParameterTable table_ = material_table("leather");
-  SimulatedPhotos photos_;
+  PhotoExamples photos_;
   std::filesystem::path file_;
   SafeTensors contents_;
 };
@@ -143,7 +143,7 @@ class BundledPredictor : public testing::TestWithParam<std::string> {
  protected:
   static constexpr int kPhotos = 60;
   ParameterTable table_ = material_table(GetParam());
-  SimulatedPhotos photos_ = photos_of(GetParam(), kPhotos);
+  PhotoExamples photos_ = photos_of(GetParam(), kPhotos);
   Predictor predictor_ = Predictor::load(bundled_predictor(GetParam()), table_);
 };
 

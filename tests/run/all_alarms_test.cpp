@@ -6,7 +6,7 @@ namespace patina {
 namespace {
 
 /// A grain whose place in the texture jumps, and a roughness.
-ParameterTable table() {
+ParameterTable grain_and_rough() {
   ParameterTable table;
   table.material = "small";
   table.continuous = {{"grain", "", "", {0.5, 0.25, 0, 1}}, {"rough", "", "", {0.5, 0.25, 0, 1}}};
@@ -31,7 +31,7 @@ RunSummary summary_of(double rhat, std::int64_t draws_of_each) {
 }
 
 TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
-  const std::optional<Alarm> alarm = apart_alarm({}, table(), summary_of(1.3, kApartDraws));
+  const std::optional<Alarm> alarm = apart_alarm({}, grain_and_rough(), summary_of(1.3, kApartDraws));
   ASSERT_TRUE(alarm);
   for (const char* part : {"1.30", "grain", "--errors calibrated"})
     EXPECT_NE(alarm->sentence.find(part), std::string::npos) << part << " in: " << alarm->sentence;
@@ -39,15 +39,15 @@ TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
 
 TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) {
   const RunSummary apart = summary_of(1.3, kApartDraws);
-  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.04, kApartDraws))) << "chains agree";
-  EXPECT_FALSE(apart_alarm({}, table(), summary_of(1.3, kApartDraws - 1))) << "too few draws";
+  EXPECT_FALSE(apart_alarm({}, grain_and_rough(), summary_of(1.04, kApartDraws))) << "chains agree";
+  EXPECT_FALSE(apart_alarm({}, grain_and_rough(), summary_of(1.3, kApartDraws - 1))) << "too few draws";
   RunSettings settings;
   settings.errors = "calibrated";
-  EXPECT_FALSE(apart_alarm(settings, table(), apart)) << "it is done already";
+  EXPECT_FALSE(apart_alarm(settings, grain_and_rough(), apart)) << "it is done already";
   settings = {};
   settings.fixed["grain"] = 0.5;
-  EXPECT_FALSE(apart_alarm(settings, table(), apart)) << "the grain stays where it is";
-  ParameterTable smooth = table();
+  EXPECT_FALSE(apart_alarm(settings, grain_and_rough(), apart)) << "the grain stays where it is";
+  ParameterTable smooth = grain_and_rough();
   smooth.continuous[0].jagged = false;
   EXPECT_FALSE(apart_alarm({}, smooth, apart)) << "more draws help";
 }
@@ -57,7 +57,7 @@ TEST(AllAlarms, AreTheRunsThoseOfTheDrawsAndThatChainsAreApart) {
   summary.alarms = {{"bound", "Of the draws."}};
   RunStatus status;
   status.alarms = {{"dark", "Of the photo."}};
-  const Alarms alarms = all_alarms({}, table(), status, summary);
+  const Alarms alarms = all_alarms({}, grain_and_rough(), status, summary);
   ASSERT_EQ(alarms.size(), 3u);
   EXPECT_EQ(alarms[0].name, "dark");
   EXPECT_EQ(alarms[1].name, "bound");

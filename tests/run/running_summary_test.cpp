@@ -8,7 +8,7 @@
 namespace patina {
 namespace {
 
-ParameterTable small_table() {
+ParameterTable slow_and_fast() {
   ParameterTable table;
   table.material = "small";
   table.continuous = {{"slow", "", "", {0, 1, -100, 100}}, {"fast", "", "", {0, 1, -100, 100}}};
@@ -41,14 +41,14 @@ std::vector<Draw> chains_of(int chains, int per_chain, int warmup) {
 
 TEST(RunningSummary, BringsTheSummaryOfAFewDrawsToThatOfAll) {
   const std::vector<Draw> draws = chains_of(4, 12000, 50);
-  RunningSummary running(small_table());
+  RunningSummary running(slow_and_fast());
   std::vector<Draw> few;
   for (const Draw& draw : draws) {
     running.add(draw);
     if (draw.iteration % 8 == 0) few.push_back(draw);
   }
-  const RunSummary exact = summarize_draws(small_table(), draws),
-                   of_few = summarize_draws(small_table(), few);
+  const RunSummary exact = summarize_draws(slow_and_fast(), draws),
+                   of_few = summarize_draws(slow_and_fast(), few);
   RunSummary summary = of_few;
   for (int times = 0; times < 2; ++times) running.update(summary);
   ASSERT_EQ(summary.quantities.size(), 4u);

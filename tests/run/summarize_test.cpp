@@ -11,7 +11,7 @@
 namespace patina {
 namespace {
 
-ParameterTable small_table() {
+ParameterTable wide_and_narrow() {
   ParameterTable table;
   table.material = "small";
   table.continuous = {{"wide", "", "", {0, 1, -100, 100}}, {"narrow", "", "", {0, 1, -100, 100}}};
@@ -46,7 +46,7 @@ TEST(SummarizeDraws, AgreesWithMomentsAndDiagnosticsComputedDirectly) {
   Eigen::MatrixXd wide(kDraws, kChains);
   for (const Draw& draw : draws)
     if (!draw.warmup) wide(draw.iteration - 100, draw.chain) = draw.values.continuous[0];
-  const RunSummary summary = summarize_draws(small_table(), draws);
+  const RunSummary summary = summarize_draws(wide_and_narrow(), draws);
   ASSERT_EQ(summary.quantities.size(), 4u);
   const QuantitySummary& q = summary.quantities[1];
   EXPECT_EQ(q.name, "wide");
@@ -71,8 +71,8 @@ TEST(SummarizeDraws, AgreesWithMomentsAndDiagnosticsComputedDirectly) {
 TEST(SummarizeDraws, LeavesWarmUpOut) {
   std::vector<Draw> draws = random_draws(2, 100, 50), sampled;
   std::ranges::copy_if(draws, std::back_inserter(sampled), [](const Draw& d) { return !d.warmup; });
-  const RunSummary with = summarize_draws(small_table(), draws),
-                   without = summarize_draws(small_table(), sampled);
+  const RunSummary with = summarize_draws(wide_and_narrow(), draws),
+                   without = summarize_draws(wide_and_narrow(), sampled);
   for (std::size_t i = 0; i < with.quantities.size(); ++i) {
     EXPECT_EQ(with.quantities[i].mean, without.quantities[i].mean);
     EXPECT_EQ(with.quantities[i].rhat, without.quantities[i].rhat);
@@ -80,7 +80,7 @@ TEST(SummarizeDraws, LeavesWarmUpOut) {
 }
 
 TEST(SummarizeDraws, CountsEachChain) {
-  const RunSummary summary = summarize_draws(small_table(), random_draws(2, 100, 10));
+  const RunSummary summary = summarize_draws(wide_and_narrow(), random_draws(2, 100, 10));
   ASSERT_EQ(summary.chains.size(), 2u);
   EXPECT_EQ(summary.chains[1].chain, 1);
   EXPECT_EQ(summary.chains[1].draws, 100);
@@ -97,7 +97,7 @@ TEST(SummarizeDraws, EnergyFractionIsOfTheTrajectoriesWhereThereAreAny) {
     if (i % 2 == 1) draws[i].energy += 0.1 * static_cast<double>(i);
     if (i % 2 == 1) energy[static_cast<Eigen::Index>(i / 2)] = draws[i].energy;
   }
-  EXPECT_DOUBLE_EQ(summarize_draws(small_table(), draws).chains[0].ebfmi, ebfmi(energy));
+  EXPECT_DOUBLE_EQ(summarize_draws(wide_and_narrow(), draws).chains[0].ebfmi, ebfmi(energy));
   EXPECT_LT(ebfmi(energy), 0.3);
 }
 
@@ -107,11 +107,11 @@ TEST(SummarizeDraws, CutsChainsToTheShortestThatHasDraws) {
   Eigen::MatrixXd narrow(40, 2);
   for (const Draw& draw : draws)
     if (draw.iteration < 40) narrow(draw.iteration, draw.chain - 1) = draw.values.continuous[1];
-  EXPECT_NEAR(summarize_draws(small_table(), draws).quantities[2].mean, narrow.mean(), 1e-12);
+  EXPECT_NEAR(summarize_draws(wide_and_narrow(), draws).quantities[2].mean, narrow.mean(), 1e-12);
 }
 
 TEST(SummarizeDraws, OfNothingHasNoNumbers) {
-  const RunSummary summary = summarize_draws(small_table(), {});
+  const RunSummary summary = summarize_draws(wide_and_narrow(), {});
   EXPECT_TRUE(summary.chains.empty());
   ASSERT_EQ(summary.quantities.size(), 4u);
   EXPECT_TRUE(std::isnan(summary.quantities[0].mean));
@@ -121,7 +121,7 @@ TEST(SummarizeDraws, OfNothingHasNoNumbers) {
 TEST(SummarizeDraws, AFixedParameterHasNoSpread) {
   std::vector<Draw> draws = random_draws(2, 50, 0);
   for (Draw& draw : draws) draw.values.continuous[0] = 0.5;
-  const QuantitySummary fixed = summarize_draws(small_table(), draws).quantities[1];
+  const QuantitySummary fixed = summarize_draws(wide_and_narrow(), draws).quantities[1];
   EXPECT_EQ(fixed.mean, 0.5);
   EXPECT_EQ(fixed.sd, 0);
   EXPECT_TRUE(std::isnan(fixed.rhat));

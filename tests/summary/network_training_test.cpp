@@ -18,15 +18,16 @@
 namespace patina {
 namespace {
 
-constexpr std::int64_t kSide = 32;
+constexpr std::int64_t kTrainingSide = 32;
 
 /// Noise images that differ in grain, contrast and colour.
 std::vector<at::Tensor> images(int count) {
   std::vector<at::Tensor> images;
   Rng rng(1);
   for (int i = 0; i < count; ++i) {
-    at::Tensor image = random_image(kSide, static_cast<unsigned>(i));
-    for (int k = 0; k < 3; ++k) image = vary(image, random_image(kSide, static_cast<unsigned>(100 + k)), rng);
+    at::Tensor image = random_image(kTrainingSide, static_cast<unsigned>(i));
+    for (int k = 0; k < 3; ++k)
+      image = vary(image, random_image(kTrainingSide, static_cast<unsigned>(100 + k)), rng);
     images.push_back(image);
   }
   return images;

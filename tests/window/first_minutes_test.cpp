@@ -17,7 +17,7 @@
 namespace patina {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 800;
+constexpr int kScreenWidth = 1280, kScreenHeight = 800;
 
 Image image_of(const Desktop::Picture& picture) {
   Image image(picture.width, picture.height, 3);
@@ -99,7 +99,7 @@ TEST_F(FirstMinutes, GoWithoutTheReadme) {
     GTEST_SKIP() << "takes minutes: name a folder for its pictures in PATINA_FIRST_MINUTES.";
   const std::filesystem::path photo = std::filesystem::path(PATINA_SHARED_DIR) / "photos" / "leather_3.jpg";
   if (!std::filesystem::exists(photo)) GTEST_SKIP() << "needs the photo " << photo;
-  server_ = XServer::start(kWidth, kHeight);
+  server_ = XServer::start(kScreenWidth, kScreenHeight);
   if (!server_) GTEST_SKIP() << "Xvfb does not start: install the test packages (packaging/packages.txt).";
   pictures_ = folder;
   std::filesystem::create_directories(pictures_);

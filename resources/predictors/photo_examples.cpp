@@ -1,4 +1,4 @@
-#include "resources/predictors/simulated_photos.h"
+#include "resources/predictors/photo_examples.h"
 
 #include <ATen/Parallel.h>
 #include <ATen/TensorOperators.h>
@@ -105,16 +105,16 @@ View view_of_structure() {
 
 }  // namespace
 
-SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
-                                bool varied) {
+PhotoExamples simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
+                              bool varied) {
   const auto model = make_material(material);
   const View view = varied ? view_of_structure() : view_of_parameters();
   std::vector<std::unique_ptr<Irregularities>> pool;
   for (std::uint64_t i = 0; i < kSurfaces; ++i)
     pool.push_back(std::make_unique<Irregularities>(kFirstSurface + kSurfaces * seed + i));
   const auto p = std::ssize(model->table().continuous), choices = std::ssize(model->table().discrete);
-  SimulatedPhotos photos{at::empty({count, view.features}, at::kFloat), at::empty({count, p}, at::kFloat),
-                         at::empty({count, choices}, at::kLong)};
+  PhotoExamples photos{at::empty({count, view.features}, at::kFloat), at::empty({count, p}, at::kFloat),
+                       at::empty({count, choices}, at::kLong)};
   const auto simulate = [&](std::size_t i) {
     const at::NoGradGuard no_grad;
     Rng rng(kFirstSurface + seed, i);
@@ -140,11 +140,11 @@ SimulatedPhotos simulate_photos(const std::string& material, int count, std::uin
   return photos;
 }
 
-void save(const SimulatedPhotos& photos, const std::filesystem::path& file) {
+void save(const PhotoExamples& photos, const std::filesystem::path& file) {
   torch::save(std::vector<at::Tensor>{photos.features, photos.coordinates, photos.levels}, file.string());
 }
 
-SimulatedPhotos load_simulated_photos(const std::filesystem::path& file) {
+PhotoExamples load_photo_examples(const std::filesystem::path& file) {
   std::vector<at::Tensor> tensors;
   torch::load(tensors, file.string());
   return {tensors.at(0), tensors.at(1), tensors.at(2)};

@@ -9,7 +9,7 @@
 namespace patina {
 
 /// Photos of draws from a material's prior: what a predictor sees, and what it is to tell.
-struct SimulatedPhotos {
+struct PhotoExamples {
   at::Tensor features;     ///< [n, PhotoFeatures::size()] float32, or StructureFeatures::size()
   at::Tensor coordinates;  ///< [n, p] float32, in which the prior is N(0, I)
   at::Tensor levels;       ///< [n, choices] int64
@@ -23,10 +23,10 @@ struct SimulatedPhotos {
 ///                 are of structure alone
 /// @param seed     of everything; the pool's too, so that no two seeds share irregularities
 /// @param threads  the photos do not depend on it
-SimulatedPhotos simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
-                                bool varied = false);
+PhotoExamples simulate_photos(const std::string& material, int count, std::uint64_t seed, int threads,
+                              bool varied = false);
 
-void save(const SimulatedPhotos& photos, const std::filesystem::path& file);
-SimulatedPhotos load_simulated_photos(const std::filesystem::path& file);
+void save(const PhotoExamples& photos, const std::filesystem::path& file);
+PhotoExamples load_photo_examples(const std::filesystem::path& file);
 
 }  // namespace patina
