@@ -18,6 +18,24 @@ void look_up_backward(const std::vector<Plane>& planes, const float* x, const fl
   PATINA_ON_TARGET(look_up_backward(planes, x, y, begin, end, gradient, by_x, by_y, by_weight));
 }
 
+void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
+  PATINA_ON_TARGET(rings(rings, begin, end, to));
+}
+
+void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                    const RingsGradient& by) {
+  PATINA_ON_TARGET(rings_backward(rings, begin, end, gradient, by));
+}
+
+void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
+  PATINA_ON_TARGET(streaks(streaks, begin, end, to));
+}
+
+void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                      const StreaksGradient& by) {
+  PATINA_ON_TARGET(streaks_backward(streaks, begin, end, gradient, by));
+}
+
 void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {
   PATINA_ON_TARGET(warp(warp, begin, end, to));
 }

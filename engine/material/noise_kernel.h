@@ -26,6 +26,54 @@ void look_up(const std::vector<Plane>& planes, const float* x, const float* y, s
 void look_up_backward(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
                       std::ptrdiff_t end, const float* gradient, float* by_x, float* by_y, double* by_weight);
 
+/// How many rings pixels are away from the pith: (r + amplitude N(scale r)) / size, r = sqrt(x^2 + y^2 +
+/// kLeastSquare), N the weighted sum of planes of one row each.
+struct Rings {
+  static constexpr float kLeastSquare = 1e-6F;  ///< has a gradient at the pith
+  std::vector<Plane> planes;
+  const float *x, *y;
+  float scale, amplitude, size;
+};
+
+/// Pixels begin ... end - 1.
+void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to);
+
+constexpr std::size_t kGrowthNumbers = 3;
+
+struct RingsGradient {
+  float *x, *y;     ///< written
+  double* growth;   ///< of scale, amplitude and size; added to
+  double* weights;  ///< of planes; added to
+};
+
+/// The gradient of a scalar, given that by what rings() writes. Few enough pixels to add up in float32.
+void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                    const RingsGradient& by);
+
+/// 1 + power N(scale (x - centre_x), scale (y - centre_y)) of side x side pixels, which are those of a grid,
+/// [side + 1, side + 1], without its first row and its last column.
+struct Streaks {
+  std::vector<Plane> planes;
+  const float *x, *y;
+  std::ptrdiff_t side;
+  float centre_x, centre_y, scale, power;
+};
+
+/// Rows begin ... end - 1 of the pixels.
+void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, float* to);
+
+constexpr std::size_t kStreakNumbers = 4;
+
+struct StreaksGradient {
+  float *x, *y;     ///< of the grid; written where pixels are
+  double* numbers;  ///< of centre_x, centre_y, scale and power; added to
+  double* weights;  ///< of planes; added to
+};
+
+/// The gradient of a scalar, given that by what streaks() writes. Few enough rows to add up in float32.
+void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                      const StreaksGradient& by);
+
 /// Value noise in space: [2, period + 1, period + 1, period + 1], two channels, which repeat.
 struct Volume {
   const float* values;

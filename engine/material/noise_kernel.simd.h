@@ -48,6 +48,19 @@ PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) 
           across.slope / plane.run_y};
 }
 
+/// A plane of one row.
+PATINA_INLINE Line sample(const Plane& plane, const Lanes& x) {
+  const Between column = between((x - (plane.run_x - 1) / 2) / plane.run_x, plane.columns);
+  const simd::Places first = simd::places_of(column.first, 2 * plane.columns + 1);
+  const Line seen =
+      line(simd::take(plane.values, first), simd::take(plane.values + 1, first), column.fraction);
+  return {seen.value, seen.slope / plane.run_x};
+}
+
+PATINA_INLINE Lanes radius(const Lanes& x, const Lanes& y) {
+  return simd::sqrt(x * x + y * y + Rings::kLeastSquare);
+}
+
 /// What a row of the grid meets of a channel: its values at each x of the lattice, and how they change along
 /// y and z.
 struct VolumeLine {
@@ -133,6 +146,100 @@ void look_up_backward(const std::vector<Plane>& planes, const float* x, const fl
     simd::store(by_sum * sum_y, by_y + i, count);
   }
   for (std::size_t p = 0; p < planes.size(); ++p) by_weight[p] += simd::sum(by_weights[p]);
+}
+
+void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
+  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end);
+    const Lanes r = radius(simd::load(rings.x + i, count), simd::load(rings.y + i, count));
+    Lanes noise{};
+    for (const Plane& plane : rings.planes) noise += plane.weight * sample(plane, r * rings.scale).value;
+    simd::store((r + noise * rings.amplitude) / rings.size, to + i, count);
+  }
+}
+
+void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                    const RingsGradient& by) {
+  assert(rings.planes.size() <= kMostPlanes);
+  const float steepness = rings.amplitude * rings.scale;
+  std::array<Lanes, kGrowthNumbers> by_growth{};
+  std::array<Lanes, kMostPlanes> by_weights{};
+  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end);
+    const Lanes x = simd::load(rings.x + i, count), y = simd::load(rings.y + i, count), r = radius(x, y);
+    const Lanes by_grown = simd::load_or_zero(gradient + i, count) / rings.size;
+    Lanes noise{}, slope{};
+    for (std::size_t p = 0; p < rings.planes.size(); ++p) {
+      const Line seen = sample(rings.planes[p], r * rings.scale);
+      noise += rings.planes[p].weight * seen.value;
+      slope += rings.planes[p].weight * seen.slope;
+      by_weights[p] += by_grown * seen.value;
+    }
+    const Lanes outwards = by_grown * (1 + slope * steepness) / r;
+    simd::store(outwards * x, by.x + i, count);
+    simd::store(outwards * y, by.y + i, count);
+    by_growth[0] += by_grown * slope * r;
+    by_growth[1] += by_grown * noise;
+    by_growth[2] -= by_grown * (r + noise * rings.amplitude);
+  }
+  by.growth[0] += simd::sum(by_growth[0]) * rings.amplitude;
+  by.growth[1] += simd::sum(by_growth[1]);
+  by.growth[2] += simd::sum(by_growth[2]) / rings.size;
+  for (std::size_t p = 0; p < rings.planes.size(); ++p)
+    by.weights[p] += simd::sum(by_weights[p]) * rings.amplitude;
+}
+
+void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
+  for (std::ptrdiff_t row = begin; row < end; ++row) {
+    const std::ptrdiff_t in_grid = (row + 1) * (streaks.side + 1);
+    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, streaks.side);
+      const Lanes x = (simd::load(streaks.x + in_grid + i, count) - streaks.centre_x) * streaks.scale,
+                  y = (simd::load(streaks.y + in_grid + i, count) - streaks.centre_y) * streaks.scale;
+      Lanes noise{};
+      for (const Plane& plane : streaks.planes) noise += plane.weight * sample(plane, x, y).value;
+      simd::store(1 + noise * streaks.power, to + row * streaks.side + i, count);
+    }
+  }
+}
+
+void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+                      const StreaksGradient& by) {
+  assert(streaks.planes.size() <= kMostPlanes);
+  const float steepness = streaks.power * streaks.scale;
+  std::array<Lanes, kStreakNumbers> sums{};
+  std::array<Lanes, kMostPlanes> by_weights{};
+  for (std::ptrdiff_t row = begin; row < end; ++row) {
+    const std::ptrdiff_t in_grid = (row + 1) * (streaks.side + 1);
+    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, streaks.side);
+      const Lanes x = simd::load(streaks.x + in_grid + i, count) - streaks.centre_x,
+                  y = simd::load(streaks.y + in_grid + i, count) - streaks.centre_y,
+                  given = simd::load_or_zero(gradient + row * streaks.side + i, count);
+      Lanes noise{}, slope_x{}, slope_y{};
+      for (std::size_t p = 0; p < streaks.planes.size(); ++p) {
+        const Plane& plane = streaks.planes[p];
+        const Sample seen = sample(plane, x * streaks.scale, y * streaks.scale);
+        noise += plane.weight * seen.value;
+        slope_x += plane.weight * seen.by_x;
+        slope_y += plane.weight * seen.by_y;
+        by_weights[p] += given * seen.value;
+      }
+      const Lanes by_x = given * slope_x * steepness, by_y = given * slope_y * steepness;
+      simd::store(by_x, by.x + in_grid + i, count);
+      simd::store(by_y, by.y + in_grid + i, count);
+      sums[0] -= by_x;
+      sums[1] -= by_y;
+      sums[2] += given * (slope_x * x + slope_y * y);
+      sums[3] += given * noise;
+    }
+  }
+  by.numbers[0] += simd::sum(sums[0]);
+  by.numbers[1] += simd::sum(sums[1]);
+  by.numbers[2] += simd::sum(sums[2]) * streaks.power;
+  by.numbers[3] += simd::sum(sums[3]);
+  for (std::size_t p = 0; p < streaks.planes.size(); ++p)
+    by.weights[p] += simd::sum(by_weights[p]) * streaks.power;
 }
 
 void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {

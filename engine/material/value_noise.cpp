@@ -55,11 +55,19 @@ std::vector<Share> shares_of(const at::Tensor& width, std::size_t levels) {
   return {{finer, 1 - coarser_share}, {finer + 1, coarser_share}};
 }
 
-/// What is seen of noise at some widths: levels that are mixed, and their weights, [planes].
-struct NoiseMixture {
-  std::vector<NoisePlane> planes;
-  at::Tensor weights;
-};
+at::Tensor sample(const NoisePlane& plane, const at::Tensor& x, const at::Tensor& y) {
+  const auto in_level = [](const at::Tensor& coordinate, std::int64_t level) {
+    const double run = std::exp2(static_cast<double>(level));
+    return (coordinate - (run - 1) / 2) / run;
+  };
+  const at::Tensor grid = at::stack({in_one_period(in_level(x, plane.x_level), plane.values.size(3)),
+                                     in_one_period(in_level(y, plane.y_level), plane.values.size(2))},
+                                    -1);
+  return at::grid_sampler_2d(plane.values.to(grid.scalar_type()), grid.unsqueeze(0), kLinear, kZeros,
+                             /*align_corners=*/true)[0][0];
+}
+
+}  // namespace
 
 NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y) {
   NoiseMixture mixture;
@@ -74,20 +82,6 @@ NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, cons
   mixture.weights = at::stack(weights);
   return mixture;
 }
-
-at::Tensor sample(const NoisePlane& plane, const at::Tensor& x, const at::Tensor& y) {
-  const auto in_level = [](const at::Tensor& coordinate, std::int64_t level) {
-    const double run = std::exp2(static_cast<double>(level));
-    return (coordinate - (run - 1) / 2) / run;
-  };
-  const at::Tensor grid = at::stack({in_one_period(in_level(x, plane.x_level), plane.values.size(3)),
-                                     in_one_period(in_level(y, plane.y_level), plane.values.size(2))},
-                                    -1);
-  return at::grid_sampler_2d(plane.values.to(grid.scalar_type()), grid.unsqueeze(0), kLinear, kZeros,
-                             /*align_corners=*/true)[0][0];
-}
-
-}  // namespace
 
 ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, int columns) {
   ValueNoise noise;
@@ -105,8 +99,7 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y) {
   if (x.scalar_type() != at::kFloat) return value_noise_by_tensors(noise, x, y, width_x, width_y);
-  const NoiseMixture mixture = mixture_of(noise, width_x, width_y);
-  return look_up_planes(mixture.planes, x, y, mixture.weights);
+  return look_up_planes(mixture_of(noise, width_x, width_y), x, y);
 }
 
 at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,

@@ -15,6 +15,21 @@ struct ValueNoise {
   std::vector<std::vector<at::Tensor>> levels;
 };
 
+/// One level of value noise among those that are mixed: runs of 2^x_level by 2^y_level values.
+struct NoisePlane {
+  at::Tensor values;  ///< ValueNoise::levels[y_level][x_level]
+  std::int64_t x_level, y_level;
+};
+
+/// What is seen of noise at some widths: one or two levels along each axis.
+struct NoiseMixture {
+  std::vector<NoisePlane> planes;
+  at::Tensor weights;  ///< [planes]
+};
+
+/// @param width_x, width_y  scalars, as value_noise() has them
+NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y);
+
 /// @param rows, columns  the period, powers of two
 ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, int columns);
 
@@ -23,8 +38,7 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 /// @param x, y              [h, w]
 /// @param width_x, width_y  scalars, above 0
 /// @return                  [h, w]. In float32 one pass over the pixels, and one for the gradient, which has
-/// no
-///                          further derivatives; else as value_noise_by_tensors(), the reference
+///                          no further derivatives; else as value_noise_by_tensors(), the reference
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y);
 at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,

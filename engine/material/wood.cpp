@@ -5,15 +5,16 @@
 #include <ATen/ops/hardtanh.h>
 #include <ATen/ops/pow.h>
 #include <ATen/ops/rsub.h>
-#include <ATen/ops/zeros_like.h>
 
 #include <numbers>
 
 #include "engine/material/growth_rings.h"
 #include "engine/material/heightfield.h"
 #include "engine/material/look_up.h"
+#include "engine/material/rings_from_pith.h"
 #include "engine/material/value_noise.h"
 #include "engine/material/wood_color.h"
+#include "engine/material/wood_streaks.h"
 
 namespace patina {
 namespace {
@@ -42,16 +43,6 @@ Cut cut_through(const at::Tensor& centre, const at::Tensor& angle, double size_c
   return {columns + centre[0], rows * sine + centre[1], rows * cosine + centre[2], sine.abs()};
 }
 
-/// Distance from the pith, varying from ring to ring, in rings.
-at::Tensor rings_at(const WarpedGrid& cut, const at::Tensor& scale, const at::Tensor& amplitude,
-                    const at::Tensor& ring_size, const ValueNoise& noise, double pixel_cm) {
-  const at::Tensor radius = (cut.x.square() + cut.y.square() + 1e-6).sqrt();
-  const at::Tensor width = (scale * pixel_cm).clamp_min(1e-6);
-  const at::Tensor grown =
-      radius + amplitude * value_noise(noise, scale * radius, at::zeros_like(radius), width, width);
-  return grown / ring_size.clamp_min(kThinnestRing);
-}
-
 }  // namespace
 
 Signature Wood::signature() {
@@ -78,20 +69,17 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
   // Gnarl.
   const WarpedGrid cut =
       warp_grid(noise.distortion, plane.x, plane.y, plane.z * kAlongGrain, gdn_scale, gdn_amplitude);
-  const at::Tensor rings = rings_at(cut, grn_scale, grn_amplitude, ring_size, noise.ring_widths, pixel_cm);
+  const at::Tensor rings = rings_from_pith(
+      cut, {grn_scale, grn_amplitude, ring_size.clamp_min(kThinnestRing)}, noise.ring_widths, pixel_cm);
   const at::Tensor with_neighbours = latewood_ratio(profile, rings, ring_widths(rings));
   const at::Tensor latewood = without_neighbours(with_neighbours);
-  // The streaks go with the sample, not with the trunk: that is the same to look at, and a move of the sample
-  // or a little more of the scale does not exchange all of them.
-  const auto across = [&](const at::Tensor& place, int axis) {
-    return (without_neighbours(place) - centre[axis]) * ssn_scale;
-  };
   const at::Tensor width = ssn_scale * pixel_cm;
-  const at::Tensor streaks = value_noise(noise.streaks, across(cut.x, 0), across(cut.y, 1), width,
-                                         (width * plane.stretch_y).clamp_min(1e-6));
+  const at::Tensor exponent =
+      streak_exponent(cut, {ssn_scale, ssn_power, centre[0], centre[1]}, noise.streaks, width,
+                      (width * plane.stretch_y).clamp_min(1e-6));
 
   Surface surface;
-  surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, ssn_power * streaks + 1);
+  surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, exponent);
   const at::Tensor heights = with_neighbours * lw_height + kGrainHeight * z.grain(resolution);
   surface.height = without_neighbours(heights);
   surface.normal = open_normals(heights, pixel_cm);
