@@ -2,9 +2,7 @@
 
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
-#include <ATen/ops/hardtanh.h>
 #include <ATen/ops/pow.h>
-#include <ATen/ops/rsub.h>
 
 #include <numbers>
 
@@ -13,7 +11,7 @@
 #include "engine/material/look_up.h"
 #include "engine/material/rings_from_pith.h"
 #include "engine/material/value_noise.h"
-#include "engine/material/wood_color.h"
+#include "engine/material/wood_finish.h"
 #include "engine/material/wood_streaks.h"
 
 namespace patina {
@@ -71,20 +69,20 @@ Surface Wood::surface(const ParameterTensors& p, std::span<const int>, const Irr
       warp_grid(noise.distortion, plane.x, plane.y, plane.z * kAlongGrain, gdn_scale, gdn_amplitude);
   const at::Tensor rings = rings_from_pith(
       cut, {grn_scale, grn_amplitude, ring_size.clamp_min(kThinnestRing)}, noise.ring_widths, pixel_cm);
-  const at::Tensor with_neighbours = latewood_ratio(profile, rings, ring_widths(rings));
-  const at::Tensor latewood = without_neighbours(with_neighbours);
+  const at::Tensor latewood = latewood_ratio(profile, rings, ring_widths(rings));
   const at::Tensor width = ssn_scale * pixel_cm;
   const at::Tensor exponent =
       streak_exponent(cut, {ssn_scale, ssn_power, centre[0], centre[1]}, noise.streaks, width,
                       (width * plane.stretch_y).clamp_min(1e-6));
 
+  const WoodFinish finish = wood_finish({albedo, albedo.pow(lw_power), lw_height, rough, ew_rough}, latewood,
+                                        exponent, z.grain(resolution), kGrainHeight);
+
   Surface surface;
-  surface.base_color = wood_color(albedo, albedo.pow(lw_power), latewood, exponent);
-  const at::Tensor heights = with_neighbours * lw_height + kGrainHeight * z.grain(resolution);
-  surface.height = without_neighbours(heights);
-  surface.normal = open_normals(heights, pixel_cm);
-  const at::Tensor roughness = at::hardtanh(rough + at::rsub(latewood, 1) * ew_rough, 0, 1);
-  surface.lobes = {dielectric_lobe(surface.normal, roughness)};
+  surface.base_color = finish.color;
+  surface.height = without_neighbours(finish.height);
+  surface.normal = open_normals(finish.height, pixel_cm);
+  surface.lobes = {dielectric_lobe(surface.normal, finish.roughness)};
   surface.light = p[0];
   surface.vignette_sigma = p[22].clamp_min(kNarrowestVignette);
   return surface;

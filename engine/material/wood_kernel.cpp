@@ -28,17 +28,15 @@ void ring_widths_backward(const RingField& field, const float* width, const floa
   PATINA_ON_TARGET(ring_widths_backward(field, width, gradient, by_rings));
 }
 
-void wood_color(const Colour& earlywood, const Colour& latewood, const float* ratio, const float* exponent,
-                std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& color) {
-  PATINA_ON_TARGET(wood_color(earlywood, latewood, ratio, exponent, begin, end, color));
+void finish(const Contrast& contrast, const LatewoodField& field, const Grain& grain, std::ptrdiff_t begin,
+            std::ptrdiff_t end, const FinishTo& to) {
+  PATINA_ON_TARGET(finish(contrast, field, grain, begin, end, to));
 }
 
-void wood_color_backward(const Colour& earlywood, const Colour& latewood, const float* ratio,
-                         const float* exponent, std::ptrdiff_t begin, std::ptrdiff_t end,
-                         const ConstPlanes& color, const ConstPlanes& gradient, float* by_ratio,
-                         float* by_exponent, double* by_earlywood, double* by_latewood) {
-  PATINA_ON_TARGET(wood_color_backward(earlywood, latewood, ratio, exponent, begin, end, color, gradient,
-                                       by_ratio, by_exponent, by_earlywood, by_latewood));
+void finish_backward(const Contrast& contrast, const LatewoodField& field, const ConstPlanes& color,
+                     std::ptrdiff_t begin, std::ptrdiff_t end, const FinishGradient& given,
+                     const LatewoodGradient& by) {
+  PATINA_ON_TARGET(finish_backward(contrast, field, color, begin, end, given, by));
 }
 
 }  // namespace patina::wood

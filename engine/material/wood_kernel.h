@@ -5,7 +5,7 @@
 
 #include "engine/material/planes.h"
 
-/// Growth rings (growth_rings.h) and the colour of wood (wood_color.h) in one pass over pixels, and their
+/// Growth rings (growth_rings.h) and what goes with them (wood_finish.h) in one pass over pixels, and their
 /// gradients.
 namespace patina::wood {
 
@@ -40,16 +40,51 @@ void ring_widths_backward(const RingField& field, const float* width, const floa
 
 using Colour = std::array<float, 3>;
 
-/// Pixels begin ... end - 1 of wood_color().
-void wood_color(const Colour& earlywood, const Colour& latewood, const float* ratio, const float* exponent,
-                std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& color);
+/// LatewoodContrast (wood_finish.h).
+struct Contrast {
+  Colour earlywood, latewood;
+  float latewood_height, latewood_roughness, earlywood_roughness_more;
+};
+constexpr std::size_t kContrastNumbers = 9;
 
-/// Writes the gradient of a scalar by ratio and exponent, given that by the colour, and adds those by
-/// earlywood and by latewood, [3] each. Few enough pixels to add up in float32.
-/// @param color  what wood_color() made
-void wood_color_backward(const Colour& earlywood, const Colour& latewood, const float* ratio,
-                         const float* exponent, std::ptrdiff_t begin, std::ptrdiff_t end,
-                         const ConstPlanes& color, const ConstPlanes& gradient, float* by_ratio,
-                         float* by_exponent, double* by_earlywood, double* by_latewood);
+/// Pixels [side, side], which are those of a grid, [side + 1, side + 1], without its first row and its last
+/// column.
+struct LatewoodField {
+  const float* ratio;     ///< of the grid
+  const float* exponent;  ///< of the pixels
+  std::ptrdiff_t side;
+};
+
+struct Grain {
+  const float* height;  ///< of the grid
+  float cm;
+};
+
+struct FinishTo {
+  Planes color;
+  float* height;  ///< of the grid
+  float* roughness;
+};
+
+/// Rows begin ... end - 1 of the grid, of wood_finish().
+void finish(const Contrast& contrast, const LatewoodField& field, const Grain& grain, std::ptrdiff_t begin,
+            std::ptrdiff_t end, const FinishTo& to);
+
+/// That of a scalar by what finish() writes.
+struct FinishGradient {
+  ConstPlanes color;
+  const float *height, *roughness;
+};
+
+struct LatewoodGradient {
+  float *ratio, *exponent;  ///< written
+  double* contrast;         ///< by its numbers, in their order; added to
+};
+
+/// The gradient of a scalar that rows begin ... end - 1 make, few enough to add up in float32.
+/// @param color  what finish() made
+void finish_backward(const Contrast& contrast, const LatewoodField& field, const ConstPlanes& color,
+                     std::ptrdiff_t begin, std::ptrdiff_t end, const FinishGradient& given,
+                     const LatewoodGradient& by);
 
 }  // namespace patina::wood

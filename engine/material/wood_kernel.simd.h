@@ -66,6 +66,27 @@ PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t begin, std:
   }
 }
 
+/// Calls f(in_grid, pixel, count) for the pixels of rows begin ... end - 1 of the grid.
+template <class F>
+PATINA_INLINE void over_pixels(const LatewoodField& field, std::ptrdiff_t begin, std::ptrdiff_t end,
+                               const F& f) {
+  for (std::ptrdiff_t row = begin > 0 ? begin : 1; row < end; ++row)
+    for (std::ptrdiff_t column = 0; column < field.side; column += simd::kLanes)
+      f(row * (field.side + 1) + column, (row - 1) * field.side + column,
+        simd::lanes_from(column, field.side));
+}
+
+/// Of a colour's channel, above 0. @param q  ratio of latewood
+PATINA_INLINE Lanes mixture(const Contrast& contrast, std::size_t channel, const Lanes& q) {
+  const float early = contrast.earlywood[channel];
+  return simd::max(kDarkest - Lanes{}, early + q * (contrast.latewood[channel] - early));
+}
+
+/// Before it is clamped.
+PATINA_INLINE Lanes roughness(const Contrast& contrast, const Lanes& q) {
+  return contrast.latewood_roughness + (1 - q) * contrast.earlywood_roughness_more;
+}
+
 }  // namespace
 
 void latewood_ratio(const Ring& ring, const float* rings, const float* width, std::ptrdiff_t begin,
@@ -137,46 +158,71 @@ void ring_widths_backward(const RingField& field, const float* width, const floa
           });
 }
 
-void wood_color(const Colour& earlywood, const Colour& latewood, const float* ratio, const float* exponent,
-                std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& color) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Lanes q = simd::load(ratio + i, count), power = simd::load(exponent + i, count);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Lanes mixed = earlywood[c] + q * (latewood[c] - earlywood[c]);
-      const Lanes positive = simd::max(kDarkest - Lanes{}, mixed);
-      simd::store(simd::exp2(simd::clamp(power * simd::log2(positive), -126, 126)), color[c] + i, count);
-    }
+void finish(const Contrast& contrast, const LatewoodField& field, const Grain& grain, std::ptrdiff_t begin,
+            std::ptrdiff_t end, const FinishTo& to) {
+  const std::ptrdiff_t with_neighbour = field.side + 1;
+  for (std::ptrdiff_t i = begin * with_neighbour; i < end * with_neighbour; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end * with_neighbour);
+    const Lanes height = simd::load(field.ratio + i, count) * contrast.latewood_height;
+    simd::store(height + simd::load(grain.height + i, count) * grain.cm, to.height + i, count);
   }
+  over_pixels(
+      field, begin,
+      end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
+        const Lanes q = simd::load(field.ratio + in_grid, count),
+                    power = simd::load(field.exponent + pixel, count);
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Lanes mixed = mixture(contrast, c, q);
+          simd::store(simd::exp2(simd::clamp(power * simd::log2(mixed), -126, 126)), to.color[c] + pixel,
+                      count);
+        }
+        simd::store(simd::clamp(roughness(contrast, q), 0, 1), to.roughness + pixel, count);
+      });
 }
 
-void wood_color_backward(const Colour& earlywood, const Colour& latewood, const float* ratio,
-                         const float* exponent, std::ptrdiff_t begin, std::ptrdiff_t end,
-                         const ConstPlanes& color, const ConstPlanes& gradient, float* by_ratio,
-                         float* by_exponent, double* by_earlywood, double* by_latewood) {
+void finish_backward(const Contrast& contrast, const LatewoodField& field, const ConstPlanes& color,
+                     std::ptrdiff_t begin, std::ptrdiff_t end, const FinishGradient& given,
+                     const LatewoodGradient& by) {
+  const std::ptrdiff_t with_neighbour = field.side + 1;
   std::array<Lanes, 3> early_sums{}, late_sums{};
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Lanes q = simd::load(ratio + i, count), power = simd::load(exponent + i, count);
-    Lanes by_q{}, by_power{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float contrast = latewood[c] - earlywood[c];
-      const Lanes mixed = earlywood[c] + q * contrast;
-      const Lanes positive = simd::max(kDarkest - Lanes{}, mixed);
-      const Lanes by_log = simd::load_or_zero(gradient[c] + i, count) * simd::load(color[c] + i, count);
-      by_power += by_log * simd::log2(positive);
-      const Lanes by_mixed = by_log * power / positive;
-      by_q += by_mixed * contrast;
-      early_sums[c] += by_mixed * (1 - q);
-      late_sums[c] += by_mixed * q;
-    }
-    simd::store(by_q, by_ratio + i, count);
-    simd::store(by_power * std::numbers::ln2_v<float>, by_exponent + i, count);
+  Lanes by_height{}, by_roughness{}, by_more{};
+  for (std::ptrdiff_t i = begin * with_neighbour; i < end * with_neighbour; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end * with_neighbour);
+    const Lanes by_here = simd::load_or_zero(given.height + i, count);
+    simd::store(by_here * contrast.latewood_height, by.ratio + i, count);
+    by_height += by_here * simd::load(field.ratio + i, count);
   }
+  over_pixels(
+      field, begin,
+      end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
+        const Lanes q = simd::load(field.ratio + in_grid, count),
+                    power = simd::load(field.exponent + pixel, count);
+        Lanes by_q{}, by_power{};
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Lanes mixed = mixture(contrast, c, q);
+          const Lanes by_log =
+              simd::load_or_zero(given.color[c] + pixel, count) * simd::load(color[c] + pixel, count);
+          by_power += by_log * simd::log2(mixed);
+          const Lanes by_mixed = by_log * power / mixed;
+          by_q += by_mixed * (contrast.latewood[c] - contrast.earlywood[c]);
+          early_sums[c] += by_mixed * (1 - q);
+          late_sums[c] += by_mixed * q;
+        }
+        const Lanes rough = roughness(contrast, q),
+                    by_rough =
+                        rough > 0 && rough < 1 ? simd::load_or_zero(given.roughness + pixel, count) : Lanes{};
+        by_roughness += by_rough;
+        by_more += by_rough * (1 - q);
+        simd::add(by_q - by_rough * contrast.earlywood_roughness_more, by.ratio + in_grid, count);
+        simd::store(by_power * std::numbers::ln2_v<float>, by.exponent + pixel, count);
+      });
   for (std::size_t c = 0; c < 3; ++c) {
-    by_earlywood[c] += simd::sum(early_sums[c]);
-    by_latewood[c] += simd::sum(late_sums[c]);
+    by.contrast[c] += simd::sum(early_sums[c]);
+    by.contrast[3 + c] += simd::sum(late_sums[c]);
   }
+  by.contrast[6] += simd::sum(by_height);
+  by.contrast[7] += simd::sum(by_roughness);
+  by.contrast[8] += simd::sum(by_more);
 }
 
 }  // namespace patina::wood::PATINA_TARGET

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/material/growth_rings.h"
-#include "engine/material/wood_color.h"
+#include "engine/material/wood_finish.h"
 #include "one_pass.h"
 
 namespace patina {
@@ -40,11 +40,24 @@ TEST(RingWidthsInOnePass, EqualTensorOperationsWithTheirGradient) {
               [](const Inputs& i) { return ring_widths_by_tensors(i[0]); }, {bent});
 }
 
-TEST(WoodColorInOnePass, EqualsTensorOperationsWithItsGradient) {
-  expect_same([](const Inputs& i) { return wood_color(i[0], i[1], i[2], i[3]); },
-              [](const Inputs& i) { return wood_color_by_tensors(i[0], i[1], i[2], i[3]); },
-              {numbers({0.8, 0.5, 0.03}), numbers({0.3, 0.45, 0.002}), places(0.37, 0).sin().square(),
-               places(0.11, 1).cos() * 0.7 + 1.2});
+/// Inputs: colours, height and roughnesses, ratio, exponent. One field of all that comes of them.
+template <class F>
+at::Tensor finish(const F& of, const Inputs& i) {
+  const at::Tensor grain =
+      at::arange(i[3].numel(), i[3].options().requires_grad(false)).view(i[3].sizes()).sin();
+  const WoodFinish made = of({i[0], i[1], i[2][0], i[2][1], i[2][2]}, i[3], i[4], grain, 0.1);
+  return at::cat({made.color.flatten(), made.height.flatten(), made.roughness.flatten()});
+}
+
+TEST(WoodFinishInOnePass, EqualsTensorOperationsWithItsGradient) {
+  const auto square = [](const at::Tensor& field, int side) {
+    return field.flatten().narrow(0, 0, side * side).view({side, side});
+  };
+  for (const double roughness : {0.3, 0.9})  // always below 1, and cut off in places
+    expect_same([](const Inputs& i) { return finish(wood_finish, i); },
+                [](const Inputs& i) { return finish(wood_finish_by_tensors, i); },
+                {numbers({0.8, 0.5, 0.03}), numbers({0.3, 0.45, 0.002}), numbers({0.7, roughness, 0.21}),
+                 square(places(0.37, 0).sin().square(), 38), square(places(0.11, 1).cos() * 0.7 + 1.2, 37)});
 }
 
 TEST(RingsInOnePass, OfAPlaceThatIsNoNumberAreNone) {
@@ -53,11 +66,12 @@ TEST(RingsInOnePass, OfAPlaceThatIsNoNumberAreNone) {
   EXPECT_TRUE(latewood_ratio({profile[0], profile[1], profile[2]}, nowhere, width).isnan().item<bool>());
 }
 
-TEST(WoodColorInOnePass, OfBlackWoodIsBlackWithANumberForItsGradient) {
-  const at::Tensor black = at::full({3}, 0.0F).set_requires_grad(true), ratio = at::full({2, 2}, 0.5F);
-  const at::Tensor color = wood_color(black, black, ratio, ratio * 2);
-  color.sum().backward();
-  EXPECT_LT(color.max().item<float>(), 1e-6F);
+TEST(WoodFinishInOnePass, OfBlackWoodIsBlackWithANumberForItsGradient) {
+  const at::Tensor black = at::full({3}, 0.0F).set_requires_grad(true), ratio = at::full({3, 3}, 0.5F),
+                   one = at::full({}, 1.0F);
+  const WoodFinish made = wood_finish({black, black, one, one, one}, ratio, at::full({2, 2}, 1.0F), ratio, 0);
+  made.color.sum().backward();
+  EXPECT_LT(made.color.max().item<float>(), 1e-6F);
   EXPECT_TRUE(black.grad().isfinite().all().item<bool>());
 }
 
