@@ -1,9 +1,7 @@
 #include "engine/material/leather.h"
 
-#include <ATen/TensorOperators.h>
-#include <ATen/ops/hardtanh.h>
-
 #include "engine/material/heightfield.h"
+#include "engine/material/leather_finish.h"
 #include "engine/material/look_up.h"
 
 namespace patina {
@@ -25,17 +23,13 @@ Surface Leather::surface(const ParameterTensors& p, std::span<const int> discret
   // Cells and noise share the texture coordinate, so one look-up of a two-channel map serves both.
   const at::Tensor maps =
       look_up(z.cells_and_noise(discrete[0], discrete[1]), scale, shift_x, shift_y, resolution);
-  const at::Tensor cells = without_neighbours(maps[0]);
-
-  const at::Tensor raised = (maps[0].log() * power).exp();  // C^power; C is nowhere near 0 (cell_map.h)
+  const LeatherFinish finish = leather_finish({height, power, noise_scale, rough, rough_var}, maps);
 
   Surface surface;
-  const at::Tensor heights = at::hardtanh(height * raised, 0, 1) + noise_scale * (2 * maps[1] - 1);
-  surface.height = without_neighbours(heights);
-  surface.normal = open_normals(heights, capture.size_cm / resolution);
-  const at::Tensor roughness = at::hardtanh(rough + (1 - cells) * rough_var, 0.1, 0.8);
+  surface.height = without_neighbours(finish.height);
+  surface.normal = open_normals(finish.height, capture.size_cm / resolution);
   surface.base_color = p.run(1, 3).view({3, 1, 1});
-  surface.lobes = {dielectric_lobe(surface.normal, roughness)};
+  surface.lobes = {dielectric_lobe(surface.normal, finish.roughness)};
   surface.light = p[0];
   surface.vignette_sigma = p[12];
   return surface;

@@ -1,4 +1,6 @@
 // Read once for each target by each_target.h.
+#include "engine/material/over_pixels.simd.h"
+
 namespace patina::wood::PATINA_TARGET {
 namespace simd = patina::simd::PATINA_TARGET;
 namespace {
@@ -64,16 +66,6 @@ PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t begin, std:
       f(here + column, here + column, down + column, simd::lanes_from(column, last));
     f(here + last, here + last - 1, down + last, 1);
   }
-}
-
-/// Calls f(in_grid, pixel, count) for the pixels of rows begin ... end - 1 of the grid.
-template <class F>
-PATINA_INLINE void over_pixels(const LatewoodField& field, std::ptrdiff_t begin, std::ptrdiff_t end,
-                               const F& f) {
-  for (std::ptrdiff_t row = begin > 0 ? begin : 1; row < end; ++row)
-    for (std::ptrdiff_t column = 0; column < field.side; column += simd::kLanes)
-      f(row * (field.side + 1) + column, (row - 1) * field.side + column,
-        simd::lanes_from(column, field.side));
 }
 
 /// Of a colour's channel, above 0. @param q  ratio of latewood
@@ -166,8 +158,8 @@ void finish(const Contrast& contrast, const LatewoodField& field, const Grain& g
     const Lanes height = simd::load(field.ratio + i, count) * contrast.latewood_height;
     simd::store(height + simd::load(grain.height + i, count) * grain.cm, to.height + i, count);
   }
-  over_pixels(
-      field, begin,
+  simd::over_pixels(
+      field.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
         const Lanes q = simd::load(field.ratio + in_grid, count),
                     power = simd::load(field.exponent + pixel, count);
@@ -192,8 +184,8 @@ void finish_backward(const Contrast& contrast, const LatewoodField& field, const
     simd::store(by_here * contrast.latewood_height, by.ratio + i, count);
     by_height += by_here * simd::load(field.ratio + i, count);
   }
-  over_pixels(
-      field, begin,
+  simd::over_pixels(
+      field.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
         const Lanes q = simd::load(field.ratio + in_grid, count),
                     power = simd::load(field.exponent + pixel, count);
