@@ -145,6 +145,26 @@ struct ChainCsvReader::State {
     }
     return begin;
   }
+
+  /// Goes on where the last whole line ended, also after what was thrown. @throws UserError
+  void read_on(std::size_t enough, std::vector<Row>& rows_out) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw UserError("Cannot open the chain file " + path.string() + ": check its permissions.");
+    stream.seekg(offset);
+    closed = false;
+    std::string unread;  // always begins at `offset`
+    for (;;) {
+      const std::size_t kept = unread.size();
+      unread.resize(kept + kChunk);
+      stream.read(unread.data() + kept, kChunk);
+      if (stream.bad()) throw UserError("Cannot read the chain file " + path.string() + ": try a copy.");
+      unread.resize(kept + static_cast<std::size_t>(stream.gcount()));
+      if (unread.size() == kept) return;
+      unread.erase(0, read_lines(unread, rows_out));
+      if (closed || rows_out.size() >= enough) return;
+      if (unread.size() > kLongestLine) refuse("it is too long");
+    }
+  }
 };
 
 ChainCsvReader::ChainCsvReader(std::filesystem::path file) : state_(std::make_unique<State>()) {
@@ -155,24 +175,16 @@ ChainCsvReader::~ChainCsvReader() = default;
 ChainCsvReader::ChainCsvReader(ChainCsvReader&&) noexcept = default;
 
 std::vector<ChainCsvReader::Row> ChainCsvReader::read_new(std::size_t enough) {
-  std::ifstream stream(state_->path, std::ios::binary);
-  if (!stream)
-    throw UserError("Cannot open the chain file " + state_->path.string() + ": check its permissions.");
-  stream.seekg(state_->offset);
-  state_->closed = false;
+  constexpr int kLooks = 3;
   std::vector<Row> rows;
-  std::string unread;  // always begins at state_->offset
-  for (;;) {
-    const std::size_t kept = unread.size();
-    unread.resize(kept + kChunk);
-    stream.read(unread.data() + kept, kChunk);
-    if (stream.bad())
-      throw UserError("Cannot read the chain file " + state_->path.string() + ": try a copy.");
-    unread.resize(kept + static_cast<std::size_t>(stream.gcount()));
-    if (unread.size() == kept) return rows;
-    unread.erase(0, state_->read_lines(unread, rows));
-    if (state_->closed || rows.size() >= enough) return rows;
-    if (unread.size() > kLongestLine) state_->refuse("it is too long");
+  for (int look = 1;; ++look) {
+    try {
+      state_->read_on(enough, rows);
+      return rows;
+    } catch (const UserError&) {
+      // While a writer takes rows back and puts others in their place, one look may see some of either.
+      if (look == kLooks) throw;
+    }
   }
 }
 
