@@ -21,7 +21,7 @@ class StopMonitor {
   /// judgement, or `in_any_case`. @throws UserError for a chain file that is damaged
   void look(bool in_any_case = false);
 
-  bool is_reached() const { return evidence_ && patina::is_reached(rules_, *evidence_); }
+  bool is_safely_reached() const { return evidence_ && patina::is_safely_reached(rules_, *evidence_); }
   const std::optional<StopEvidence>& evidence() const { return evidence_; }
 
  private:

@@ -30,6 +30,14 @@ bool is_reached(const StopRules& rules, const StopEvidence& evidence) {
          (rules.rhat <= 0 || evidence.largest_rhat <= rules.rhat);
 }
 
+bool is_safely_reached(const StopRules& rules, const StopEvidence& evidence) {
+  constexpr double kMoreEss = 1.05, kOfExcess = 0.9;  // of the R-hat that is asked for, beyond 1
+  StopRules more = rules;
+  more.ess *= kMoreEss;
+  if (more.rhat > 0) more.rhat = 1 + kOfExcess * (more.rhat - 1);
+  return is_reached(more, evidence);
+}
+
 std::string in_words(const StopRules& rules, const StopEvidence& evidence) {
   if (evidence.least_ess_of.empty()) return "there are too few draws to judge them by the goal";
   std::string text = is_reached(rules, evidence) ? "the goal is reached: " : "the goal is not reached: ";

@@ -24,6 +24,10 @@ StopEvidence stop_evidence(const RunSummary& summary);
 /// Whether all that the rules ask of the draws' quality is reached; false where they ask nothing.
 bool is_reached(const StopRules& rules, const StopEvidence& evidence);
 
+/// Whether it is reached with something to spare, so that the draws which are made until every chain has
+/// heard of it do not undo it: then `summarize` says of the run what it said itself.
+bool is_safely_reached(const StopRules& rules, const StopEvidence& evidence);
+
 /// "the goal is reached: the fewest effective draws are 412 (rough; 400 asked for)": only what the rules ask.
 std::string in_words(const StopRules& rules, const StopEvidence& evidence);
 

@@ -27,7 +27,7 @@ void StopWatcher::watch(const std::stop_token& stop) noexcept {
           Clock::now() - begin > std::chrono::duration<double, std::ratio<60>>(rules_.minutes))
         rule_ = "its time is over";
       if (monitor_) monitor_->look();
-      if (monitor_ && monitor_->is_reached()) rule_ = "the goal is reached";
+      if (monitor_ && monitor_->is_safely_reached()) rule_ = "the goal is reached";
       if (!rule_.empty()) return shared_.control.stop();
       never.wait_for(lock, stop, kInterval, [] { return false; });
     }
@@ -39,7 +39,7 @@ void StopWatcher::watch(const std::stop_token& stop) noexcept {
 StopWatcher::Verdict StopWatcher::end() noexcept {
   thread_ = {};  // asks it to stop and waits
   try {
-    if (monitor_ && !monitor_->is_reached()) monitor_->look(/*in_any_case=*/true);
+    if (monitor_ && !monitor_->is_safely_reached()) monitor_->look(/*in_any_case=*/true);
   } catch (const std::exception&) {
     // What cannot be read is not judged; the draws before it are.
   }

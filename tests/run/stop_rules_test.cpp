@@ -37,6 +37,19 @@ TEST(StopRulesTest, TheWorstFiguresAreThoseOfIdentifiedParametersAndNamed) {
             "R-hat is 1.0300 (light; 1.01 asked for)");
 }
 
+TEST(StopRulesTest, AGoalIsSafelyReachedWithSomethingToSpare) {
+  const StopRules rules{0, 400, 1.01};
+  const auto evidence = [](double ess, double rhat) {
+    return StopEvidence{2000, "rough", ess, "light", rhat};
+  };
+  EXPECT_TRUE(is_reached(rules, evidence(405, 1.0098)));
+  EXPECT_FALSE(is_safely_reached(rules, evidence(405, 1.005)));
+  EXPECT_FALSE(is_safely_reached(rules, evidence(500, 1.0098)));
+  EXPECT_TRUE(is_safely_reached(rules, evidence(425, 1.0085)));
+  EXPECT_TRUE(is_safely_reached({0, 400, 0}, evidence(425, 1.5))) << "R-hat is not asked for";
+  EXPECT_FALSE(is_safely_reached({9, 0, 0}, evidence(425, 1.0))) << "time is not quality";
+}
+
 class StoppedRun : public RunTest {};
 
 TEST_F(StoppedRun, EndsWhenTheGoalIsReachedWithTheEvidenceThatDecidedIt) {
