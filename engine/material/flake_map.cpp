@@ -20,7 +20,7 @@ namespace {
 constexpr int kFlakeBins = 285;  // a side
 constexpr float kSquareDistance = 2;
 constexpr int kThrowsPerBin = 12;
-constexpr int kGap = 3;  // bins to look around: no gap between sites is as wide
+constexpr int kFlakeReach = 3;  // bins to look around: no gap between sites is as wide
 
 struct Site {
   float x, y;              ///< in bins
@@ -94,7 +94,7 @@ MipMap make_flake_map(std::uint64_t seed, std::uint64_t stream, int size) {
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const auto centre = [step](int i) { return (static_cast<float>(i) + 0.5f) * step; };
-      const Site& site = *sites.nearest(centre(column), centre(row), kGap).site;
+      const Site& site = *sites.nearest(centre(column), centre(row), kFlakeReach).site;
       texel[0][row][column] = site.slope_x;
       texel[1][row][column] = site.slope_y;
       texel[2][row][column] = site.slope_x * site.slope_x + site.slope_y * site.slope_y;

@@ -7,17 +7,6 @@
 
 namespace patina::noise {
 
-void look_up(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-             std::ptrdiff_t end, float* to) {
-  PATINA_ON_TARGET(look_up(planes, x, y, begin, end, to));
-}
-
-void look_up_backward(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-                      std::ptrdiff_t end, const float* gradient, float* by_x, float* by_y,
-                      double* by_weight) {
-  PATINA_ON_TARGET(look_up_backward(planes, x, y, begin, end, gradient, by_x, by_y, by_weight));
-}
-
 void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
   PATINA_ON_TARGET(rings(rings, begin, end, to));
 }

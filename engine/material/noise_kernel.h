@@ -17,15 +17,6 @@ struct Plane {
 
 constexpr std::size_t kMostPlanes = 4;  ///< two levels along each axis
 
-/// Pixels begin ... end - 1 of the weighted sum of planes. @param x, y  lattice coordinates
-void look_up(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-             std::ptrdiff_t end, float* to);
-
-/// Writes the gradient of a scalar by x and y, given that by the sum, and adds to that by the weights. Few
-/// enough pixels to add up in float32.
-void look_up_backward(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-                      std::ptrdiff_t end, const float* gradient, float* by_x, float* by_y, double* by_weight);
-
 /// How many rings pixels are away from the pith: (r + amplitude N(scale r)) / size, r = sqrt(x^2 + y^2 +
 /// kLeastSquare), N the weighted sum of planes of one row each.
 struct Rings {

@@ -115,39 +115,6 @@ struct VolumeLines {
 
 }  // namespace
 
-void look_up(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-             std::ptrdiff_t end, float* to) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Lanes at_x = simd::load(x + i, count), at_y = simd::load(y + i, count);
-    Lanes sum{};
-    for (const Plane& plane : planes) sum += plane.weight * sample(plane, at_x, at_y).value;
-    simd::store(sum, to + i, count);
-  }
-}
-
-void look_up_backward(const std::vector<Plane>& planes, const float* x, const float* y, std::ptrdiff_t begin,
-                      std::ptrdiff_t end, const float* gradient, float* by_x, float* by_y,
-                      double* by_weight) {
-  assert(planes.size() <= kMostPlanes);
-  std::array<Lanes, kMostPlanes> by_weights{};
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Lanes at_x = simd::load(x + i, count), at_y = simd::load(y + i, count),
-                by_sum = simd::load_or_zero(gradient + i, count);
-    Lanes sum_x{}, sum_y{};
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-      const Sample s = sample(planes[p], at_x, at_y);
-      sum_x += planes[p].weight * s.by_x;
-      sum_y += planes[p].weight * s.by_y;
-      by_weights[p] += by_sum * s.value;
-    }
-    simd::store(by_sum * sum_x, by_x + i, count);
-    simd::store(by_sum * sum_y, by_y + i, count);
-  }
-  for (std::size_t p = 0; p < planes.size(); ++p) by_weight[p] += simd::sum(by_weights[p]);
-}
-
 void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
   for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
     const int count = simd::lanes_from(i, end);

@@ -48,40 +48,6 @@ std::vector<noise::Plane> laid_out(const std::vector<at::Tensor>& values,
   return planes;
 }
 
-struct LookUpPlanes : torch::autograd::Function<LookUpPlanes> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& x, const at::Tensor& y,
-                            const at::Tensor& weights, const std::vector<at::Tensor>& values,
-                            const std::vector<std::int64_t>& levels) {
-    const std::vector<noise::Plane> planes = laid_out(values, levels, weights);
-    const at::Tensor sum = at::empty_like(x);
-    over_blocks(x.numel(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      noise::look_up(planes, x.data_ptr<float>(), y.data_ptr<float>(), begin, end, sum.data_ptr<float>());
-    });
-    context->save_for_backward({x, y, weights});
-    context->saved_data["values"] = values;
-    context->saved_data["levels"] = levels;
-    return sum;
-  }
-
-  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
-    const variable_list saved = context->get_saved_variables();
-    const at::Tensor &x = saved[0], &y = saved[1], &weights = saved[2];
-    const std::vector<at::Tensor> values = context->saved_data["values"].toTensorVector();
-    const std::vector<noise::Plane> planes =
-        laid_out(values, context->saved_data["levels"].toIntVector(), weights);
-    const at::Tensor gradient = outputs.front().contiguous();
-    const at::Tensor by_x = at::empty_like(x), by_y = at::empty_like(y), by_weights = at::empty_like(weights);
-    const std::vector<double> sums = sums_over_blocks(
-        x.numel(), planes.size(), [&](std::int64_t begin, std::int64_t end, double* by_weight) {
-          noise::look_up_backward(planes, x.data_ptr<float>(), y.data_ptr<float>(), begin, end,
-                                  gradient.data_ptr<float>(), by_x.data_ptr<float>(), by_y.data_ptr<float>(),
-                                  by_weight);
-        });
-    std::ranges::copy(sums, by_weights.data_ptr<float>());
-    return {by_x, by_y, by_weights, {}, {}};
-  }
-};
-
 /// @param growth  scale, amplitude, size
 struct LookUpRings : torch::autograd::Function<LookUpRings> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& x, const at::Tensor& y,
@@ -236,11 +202,6 @@ struct LookUpWarp : torch::autograd::Function<LookUpWarp> {
 };
 
 }  // namespace
-
-at::Tensor look_up_planes(const NoiseMixture& noise, const at::Tensor& x, const at::Tensor& y) {
-  return LookUpPlanes::apply(x.contiguous(), y.contiguous(), noise.weights.contiguous(), values_of(noise),
-                             levels_of(noise));
-}
 
 at::Tensor look_up_rings(const NoiseMixture& noise, const at::Tensor& x, const at::Tensor& y,
                          const at::Tensor& scale, const at::Tensor& amplitude, const at::Tensor& size) {

@@ -9,10 +9,6 @@ namespace patina {
 // Look-ups in float32, in one pass over the pixels each way; first derivatives only. noise_kernel.h has the
 // loops.
 
-/// The sum of planes, at most four, by their weights.
-/// @param x, y  [h, w], lattice coordinates   @return [h, w]
-at::Tensor look_up_planes(const NoiseMixture& noise, const at::Tensor& x, const at::Tensor& y);
-
 /// rings_from_pith() (rings_from_pith.h). @param noise  of planes of one row
 at::Tensor look_up_rings(const NoiseMixture& noise, const at::Tensor& x, const at::Tensor& y,
                          const at::Tensor& scale, const at::Tensor& amplitude, const at::Tensor& size);

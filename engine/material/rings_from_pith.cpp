@@ -31,7 +31,7 @@ at::Tensor rings_from_pith_by_tensors(const WarpedGrid& place, const RingGrowth&
   const at::Tensor radius = (place.x.square() + place.y.square() + 1e-6).sqrt();
   const at::Tensor width = width_of(growth, pixel_cm);
   const at::Tensor lengthening =
-      value_noise_by_tensors(noise, growth.scale * radius, at::zeros_like(radius), width, width);
+      value_noise(noise, growth.scale * radius, at::zeros_like(radius), width, width);
   return (radius + growth.amplitude * lengthening) / growth.size;
 }
 

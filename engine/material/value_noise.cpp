@@ -98,12 +98,6 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y) {
-  if (x.scalar_type() != at::kFloat) return value_noise_by_tensors(noise, x, y, width_x, width_y);
-  return look_up_planes(mixture_of(noise, width_x, width_y), x, y);
-}
-
-at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
-                                  const at::Tensor& width_x, const at::Tensor& width_y) {
   const NoiseMixture mixture = mixture_of(noise, width_x, width_y);
   at::Tensor sum = at::zeros_like(x);
   for (std::size_t p = 0; p < mixture.planes.size(); ++p)

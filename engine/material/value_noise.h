@@ -37,12 +37,10 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 /// than the pixels would say nothing true. Continuous and differentiable in all its arguments.
 /// @param x, y              [h, w]
 /// @param width_x, width_y  scalars, above 0
-/// @return                  [h, w]. In float32 one pass over the pixels, and one for the gradient, which has
-///                          no further derivatives; else as value_noise_by_tensors(), the reference
+/// @return                  [h, w]. Of tensor operations: the reference of what reads noise in one pass over
+///                          the pixels (rings_from_pith.h, wood_streaks.h)
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y);
-at::Tensor value_noise_by_tensors(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
-                                  const at::Tensor& width_x, const at::Tensor& width_y);
 
 /// Value noise in space, of the same values in every direction and not filtered, as a grid with its
 /// repetition: [1, channels, period + 1, period + 1, period + 1].
@@ -58,7 +56,8 @@ struct WarpedGrid {
 /// @param volume            of two channels
 /// @param x, y, z           [w], [h], [h]: of columns, and of rows
 /// @param scale, amplitude  scalars
-/// In float32 in one pass, as value_noise().
+/// In float32 one pass over the pixels, and one for the gradient, which has no further derivatives; else as
+/// warp_grid_by_tensors(), the reference.
 WarpedGrid warp_grid(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y, const at::Tensor& z,
                      const at::Tensor& scale, const at::Tensor& amplitude);
 WarpedGrid warp_grid_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,

@@ -21,8 +21,8 @@ at::Tensor streak_exponent_by_tensors(const WarpedGrid& place, const Streaks& st
   const auto across = [&](const at::Tensor& at, const at::Tensor& centre) {
     return (without_neighbours(at) - centre) * streaks.scale;
   };
-  const at::Tensor seen = value_noise_by_tensors(noise, across(place.x, streaks.centre_x),
-                                                 across(place.y, streaks.centre_y), width_x, width_y);
+  const at::Tensor seen = value_noise(noise, across(place.x, streaks.centre_x),
+                                      across(place.y, streaks.centre_y), width_x, width_y);
   return streaks.power * seen + 1;
 }
 

@@ -14,26 +14,6 @@
 namespace patina {
 namespace {
 
-TEST(NoiseInOnePass, EqualsTensorOperationsWithItsGradientAtEveryMixtureOfLevels) {
-  const auto fused = [](const ValueNoise& noise) {
-    return [&](const std::vector<at::Tensor>& i) { return value_noise(noise, i[0], i[1], i[2], i[3]); };
-  };
-  const auto by_tensors = [](const ValueNoise& noise) {
-    return [&](const std::vector<at::Tensor>& i) {
-      return value_noise_by_tensors(noise, i[0], i[1], i[2], i[3]);
-    };
-  };
-  const ValueNoise both_ways = make_value_noise(3, 1, 32, 64), along_x = make_value_noise(3, 1, 1, 64);
-  for (const ValueNoise* noise : {&both_ways, &along_x})
-    for (const double width_x : {0.2, 2.3, 300.0})
-      for (const double width_y : {0.2, 5.1}) {
-        SCOPED_TRACE(testing::Message() << width_x << " x " << width_y);
-        expect_same(fused(*noise), by_tensors(*noise),
-                    {places(0.0517, -31.013), places(-0.0311, 7.017), at::tensor(width_x, at::kDouble),
-                     at::tensor(width_y, at::kDouble)});
-      }
-}
-
 TEST(RingsFromPithInOnePass, EqualTensorOperationsWithTheirGradientAtEveryMixtureOfLevels) {
   using Inputs = std::vector<at::Tensor>;
   const ValueNoise noise = make_value_noise(3, 1, 1, 64);
@@ -92,14 +72,17 @@ TEST(NoiseInOnePass, OfAPlaceThatIsNoNumberIsNone) {
   for (const float odd :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30F}) {
     const at::Tensor place = at::full({1, 1}, odd);
-    value_noise(noise, place, one, one[0][0], one[0][0]);  // reads nothing outside the lattice
+    // None reads outside the lattice.
     rings_from_pith({place, one}, {one[0][0], one[0][0], one[0][0]}, along_x, 0.1);
     const at::Tensor grid = at::full({2, 2}, odd), number = one[0][0];
     streak_exponent({grid, grid}, {number, number, number, number}, noise, number, number);
     warp_grid(volume, one[0], place[0], one[0], one[0][0], one[0][0]);
   }
   const at::Tensor nowhere = at::full({1, 1}, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(value_noise(noise, nowhere, one, one[0][0], one[0][0]).isnan().item<bool>());
+  const at::Tensor grid = nowhere.expand({2, 2}), number = one[0][0];
+  EXPECT_TRUE(streak_exponent({grid, grid}, {number, number, number, number}, noise, number, number)
+                  .isnan()
+                  .item<bool>());
   EXPECT_TRUE(
       rings_from_pith({nowhere, one}, {one[0][0], one[0][0], one[0][0]}, along_x, 0.1).isnan().item<bool>());
   EXPECT_TRUE(
