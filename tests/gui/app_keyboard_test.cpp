@@ -37,6 +37,9 @@ TEST_F(AppKeyboard, InAPanelArrowsGoThroughItsButtonsAndSpacePressesThem) {
 
 TEST_F(AppKeyboard, LocksAParameterWithoutAMouse) {
   start_run_of({draw(0.3, 0.5, -2)});
+  const auto advises = [&] { return app_.session().summary().has_value(); };
+  ASSERT_TRUE(frames_until(advises)) << "an advice stands above the table";
+  frames(2);
   go_to_panel(5);
   for (int i = 0; i < 2; ++i) tap(ImGuiKey_DownArrow);  // past Start, to the table
   tap(ImGuiKey_Space);                                  // into it

@@ -68,6 +68,7 @@ TEST_F(AppUndo, TakesTurnsOfTheWheelInARowForOneZoom) {
 TEST_F(AppUndo, DoesNotTakeALampThatFollowsTheMouseForAStep) {
   start_run_of({draw(0.25, 0.2, -1), draw(0.55, 0.8, -1)});
   type('3');
+  ASSERT_TRUE(frames_until([&] { return app_.preview().has_render(); })) << "nothing is lit before";
   const auto before = preview().light;
   const Rect square = app_.preview().square();
   window_->move_mouse(square.position.x + 0.3f * square.size.x, square.position.y + 0.6f * square.size.y);
