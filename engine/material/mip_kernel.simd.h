@@ -13,7 +13,7 @@ float texels(const Level& level) { return 0.5f * static_cast<float>(level.side -
 struct Columns {
   struct Run {  ///< of simd::Places, whose vector would have to be aligned in memory
     std::ptrdiff_t from;
-    bool near;  ///< as they are but where the map begins anew
+    simd::Places::Within within;  ///< the table only where the map begins anew
   };
   std::vector<Run> runs;
   std::vector<std::int32_t> texel;  ///< the one before each column, counted from its run's first
@@ -31,8 +31,8 @@ Columns columns_in(const Level& level, const std::vector<float>& places) {
     const Lanes at = simd::load(places.data() + i, simd::lanes_from(i, count)) * texels(level) + 0.5f;
     const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
     const Bits texel = raised > last ? raised - raised + last : raised;
-    const simd::Places run = simd::places_of(texel, level.side + simd::kWindow - 1);  // with the line's room
-    columns.runs.push_back({run.from, run.near});
+    const simd::Places run = simd::places_of(texel, level.side + simd::kWindow);  // with the line's room
+    columns.runs.push_back({run.from, run.within});
     std::memcpy(columns.texel.data() + i, &run.index, sizeof run.index);
     simd::store(at - __builtin_convertvector(texel, Lanes), columns.fraction.data() + i, simd::kLanes);
   }
@@ -55,7 +55,7 @@ struct RowPlace {
 /// What lies between two rows of texels at each texel's column, and how that changes from the one to the
 /// other.
 struct Line {
-  std::vector<float> values, slopes;  ///< [side], and what simd::pick() may read behind it
+  std::vector<float> values, slopes;  ///< [side], and room for simd::take()
 
   /// @param coming  the row that will be wanted next: a level is too large to wait for its texels
   void set(const RowPlace& row, const RowPlace& coming, int side) {
@@ -80,10 +80,11 @@ struct Sample {
 
 PATINA_INLINE Sample sample(const std::vector<float>& line, const Columns& columns, std::ptrdiff_t i) {
   const Columns::Run& run = columns.runs[static_cast<std::size_t>(i / simd::kLanes)];
-  simd::Places places{run.from, {}, run.near};
+  simd::Places places{run.from, {}, run.within};
   std::memcpy(&places.index, columns.texel.data() + i, sizeof places.index);
-  const Lanes left = simd::take(line.data(), places), slope = simd::take(line.data() + 1, places) - left;
-  return {left + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
+  const simd::Neighbours texels = simd::take(line.data(), places);
+  const Lanes slope = texels.next - texels.here;
+  return {texels.here + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
 }
 
 /// The columns in each level, and room for a row's lines: of each channel in each level.

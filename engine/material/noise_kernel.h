@@ -7,12 +7,18 @@
 /// Look-ups of value noise (value_noise.h) in one pass over pixels, and their gradients.
 namespace patina::noise {
 
-/// A level of value noise: values of runs of `run_x` by `run_y` coordinates, at the middles of the runs;
-/// [rows + 1, columns + 1], the last row and column repeating the first.
+/// Values along x or y: of how many they are the period, a power of two, and how many there are to a
+/// coordinate. One lies at the middle of what it is the mean of, the first of which is 0.
+struct Axis {
+  int period;
+  float per_coordinate;
+};
+
+/// A level of value noise: [y.period + 1, x.period + 1], the last row and column repeating the first.
 struct Plane {
   const float* values;
-  int rows, columns;
-  float run_x, run_y, weight;
+  Axis x, y;
+  float weight;
 };
 
 constexpr std::size_t kMostPlanes = 4;  ///< two levels along each axis
@@ -65,7 +71,8 @@ struct StreaksGradient {
 void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
                       const StreaksGradient& by);
 
-/// Value noise in space: [2, period + 1, period + 1, period + 1], two channels, which repeat.
+/// Value noise in space: [2, period + 1, period + 1, period + 1], two channels, which repeat; the period is a
+/// power of two.
 struct Volume {
   const float* values;
   int period;

@@ -12,13 +12,12 @@ struct Between {
   Lanes fraction;
 };
 
-/// @param at  in runs. One that is no number lies at 0, and stays none in its fraction.
-PATINA_INLINE Between between(const Lanes& at, int period) {
-  const auto width = static_cast<float>(period);
-  const Lanes inside = at - simd::floor(at / width) * width;
-  const Bits cut = __builtin_convertvector(inside, Bits), raised = cut < 0 ? cut - cut : cut;
-  const Bits first = raised >= period ? raised - raised + (period - 1) : raised;
-  return {first, inside - __builtin_convertvector(first, Lanes)};
+/// @param at  coordinates. One that is no number lies at 0, and stays none in its fraction.
+PATINA_INLINE Between between(const Lanes& at, const Axis& axis) {
+  const Lanes in_values = at * axis.per_coordinate - (1 - axis.per_coordinate) / 2;
+  const Bits cut = __builtin_convertvector(in_values, Bits);
+  const Bits first = cut + (__builtin_convertvector(cut, Lanes) > in_values);  // true is -1
+  return {first & (axis.period - 1), in_values - __builtin_convertvector(first, Lanes)};
 }
 
 /// Linear interpolation, and its slope.
@@ -26,9 +25,9 @@ struct Line {
   Lanes value, slope;
 };
 
-PATINA_INLINE Line line(const Lanes& left, const Lanes& right, const Lanes& fraction) {
-  const Lanes slope = right - left;
-  return {left + slope * fraction, slope};
+PATINA_INLINE Line line(const simd::Neighbours& ends, const Lanes& fraction) {
+  const Lanes slope = ends.next - ends.here;
+  return {ends.here + slope * fraction, slope};
 }
 
 struct Sample {
@@ -36,25 +35,22 @@ struct Sample {
 };
 
 PATINA_INLINE Sample sample(const Plane& plane, const Lanes& x, const Lanes& y) {
-  const Between column = between((x - (plane.run_x - 1) / 2) / plane.run_x, plane.columns);
-  const Between row = between((y - (plane.run_y - 1) / 2) / plane.run_y, plane.rows);
-  const int stride = plane.columns + 1;
-  const simd::Places first = simd::places_of(row.first * stride + column.first, plane.rows * stride - 1);
-  const float *here = plane.values, *below = here + stride;
-  const Line near = line(simd::take(here, first), simd::take(here + 1, first), column.fraction);
-  const Line far = line(simd::take(below, first), simd::take(below + 1, first), column.fraction);
-  const Line across = line(near.value, far.value, row.fraction);
-  return {across.value, (near.slope + (far.slope - near.slope) * row.fraction) / plane.run_x,
-          across.slope / plane.run_y};
+  const Between column = between(x, plane.x), row = between(y, plane.y);
+  const int stride = plane.x.period + 1;
+  const simd::Places first = simd::places_of(row.first * stride + column.first, plane.y.period * stride);
+  const Line near = line(simd::take(plane.values, first), column.fraction);
+  const Line far = line(simd::take(plane.values + stride, first), column.fraction);
+  const Line across = line({near.value, far.value}, row.fraction);
+  return {across.value, (near.slope + (far.slope - near.slope) * row.fraction) * plane.x.per_coordinate,
+          across.slope * plane.y.per_coordinate};
 }
 
 /// A plane of one row.
 PATINA_INLINE Line sample(const Plane& plane, const Lanes& x) {
-  const Between column = between((x - (plane.run_x - 1) / 2) / plane.run_x, plane.columns);
-  const simd::Places first = simd::places_of(column.first, 2 * plane.columns + 1);
-  const Line seen =
-      line(simd::take(plane.values, first), simd::take(plane.values + 1, first), column.fraction);
-  return {seen.value, seen.slope / plane.run_x};
+  const Between column = between(x, plane.x);
+  const Line seen = line(simd::take(plane.values, simd::places_of(column.first, 2 * (plane.x.period + 1))),
+                         column.fraction);
+  return {seen.value, seen.slope * plane.x.per_coordinate};
 }
 
 PATINA_INLINE Lanes radius(const Lanes& x, const Lanes& y) {
@@ -64,7 +60,7 @@ PATINA_INLINE Lanes radius(const Lanes& x, const Lanes& y) {
 /// What a row of the grid meets of a channel: its values at each x of the lattice, and how they change along
 /// y and z.
 struct VolumeLine {
-  std::vector<float> values, by_y, by_z;  ///< [period + 1], and what simd::pick() may read behind it
+  std::vector<float> values, by_y, by_z;  ///< [period + 1], and room for simd::take()
 
   /// @param y, z  of the row, in every lane
   void set(const Volume& volume, int channel, const Between& y, const Between& z) {
@@ -90,13 +86,13 @@ struct AlongLine {
   Lanes fraction;
 
   PATINA_INLINE AlongLine(const Lanes& at, int period) {
-    const Between x = between(at, period);
-    places = simd::places_of(x.first, period + simd::kWindow);
+    const Between x = between(at, {period, 1});
+    places = simd::places_of(x.first, period + 1 + simd::kWindow);
     fraction = x.fraction;
   }
 
   PATINA_INLINE Line operator()(const std::vector<float>& values) const {
-    return line(simd::take(values.data(), places), simd::take(values.data() + 1, places), fraction);
+    return line(simd::take(values.data(), places), fraction);
   }
 };
 
@@ -106,7 +102,7 @@ struct VolumeLines {
 
   void set_row(const Warp& warp, std::ptrdiff_t row) {
     const auto at = [&](float coordinate) {
-      return between(coordinate * warp.scale - Lanes{}, warp.volume.period);
+      return between(coordinate * warp.scale - Lanes{}, {warp.volume.period, 1});
     };
     const Between y = at(warp.y[row]), z = at(warp.z[row]);
     for (int c = 0; c < 2; ++c) lines[static_cast<std::size_t>(c)].set(warp.volume, c, y, z);

@@ -39,11 +39,11 @@ std::vector<noise::Plane> laid_out(const std::vector<at::Tensor>& values,
   const float* weight = weights.data_ptr<float>();
   std::vector<noise::Plane> planes;
   for (std::size_t p = 0; p < values.size(); ++p) {
-    const auto run = [&](std::size_t axis) {
-      return std::ldexp(1.0F, static_cast<int>(levels[2 * p + axis]));
+    const auto axis = [&](int dim, std::size_t level) {
+      return noise::Axis{static_cast<int>(values[p].size(dim)) - 1,
+                         std::ldexp(1.0F, -static_cast<int>(levels[2 * p + level]))};
     };
-    planes.push_back({values[p].data_ptr<float>(), static_cast<int>(values[p].size(2)) - 1,
-                      static_cast<int>(values[p].size(3)) - 1, run(0), run(1), weight[p]});
+    planes.push_back({values[p].data_ptr<float>(), axis(3, 0), axis(2, 1), weight[p]});
   }
   return planes;
 }

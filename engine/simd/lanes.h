@@ -21,53 +21,70 @@ PATINA_INLINE Lanes gather(const float* from, const Index& index) {
   return lanes;
 }
 
-/// How far apart the entries that pick() takes may lie.
+/// How far apart the entries of a table may lie that take() finds without asking memory for each.
 constexpr int kWindow = 3 * kLanes;
 
-/// gather() of from[0 ... kWindow - 1], all of which is read, by shuffles where the processor has them.
-PATINA_INLINE Lanes pick(const float* from, const Bits& index) {
-#if PATINA_LANES == 4
-  return gather(from, index);
+/// Which kLanes entries of a table are wanted, each with the one behind it: counted from one of them, and how
+/// far from there all lie, as those of neighbouring pixels mostly do.
+struct Places {
+  enum class Within : std::uint8_t { lanes, window, table };
+  std::ptrdiff_t from;
+  Bits index;
+  Within within;
+};
+
+PATINA_INLINE bool any_at_least(const Bits& index, int bound) {
+#if PATINA_LANES == 16
+  return __builtin_ia32_ucmpd512_mask(index, bound - Bits{}, 5, -1) != 0;
 #else
-  Lanes first, second, third;
-  std::memcpy(&first, from, sizeof first);
-  std::memcpy(&second, from + kLanes, sizeof second);
-  std::memcpy(&third, from + 2 * kLanes, sizeof third);
-  return index < 2 * kLanes ? __builtin_shuffle(first, second, index) : __builtin_shuffle(third, index);
+  typedef std::uint32_t Counts __attribute__((vector_size(sizeof(Bits))));
+  Counts counts;
+  std::memcpy(&counts, &index, sizeof counts);
+  const Bits above = counts >= static_cast<std::uint32_t>(bound);
+  std::int64_t parts[kLanes / 2], all = 0;
+  std::memcpy(parts, &above, sizeof parts);
+  for (const std::int64_t part : parts) all |= part;
+  return all != 0;
 #endif
 }
 
-/// Whether a comparison holds of any entry.
-PATINA_INLINE bool any(const Bits& mask) {
-  std::int64_t parts[kLanes / 2];
-  std::memcpy(parts, &mask, sizeof parts);
-  std::int64_t all = 0;
-  for (const std::int64_t part : parts) all |= part;
-  return all != 0;
-}
-
-/// Which kLanes entries of a table are wanted: counted from one of them, and whether all lie within kWindow
-/// from there, as those of neighbouring pixels mostly do.
-struct Places {
-  std::ptrdiff_t from;
-  Bits index;
-  bool near;
-};
-
-/// @param at    entries of a table   @param size  how many it has, less how far ahead of it take() may begin
+/// @param at  entries of a table   @param size  how many it has
 PATINA_INLINE Places places_of(const Bits& at, std::ptrdiff_t size) {
-  typedef std::uint32_t Counts __attribute__((vector_size(sizeof(Bits))));
   const std::int32_t from = at[0] < at[kLanes - 1] ? at[0] : at[kLanes - 1];
   const Bits index = at - from;
-  Counts counts;
-  std::memcpy(&counts, &index, sizeof counts);
-  return {from, index, from + kWindow <= size && !any(counts >= static_cast<std::uint32_t>(kWindow))};
+  if (from + kWindow > size || any_at_least(index, kWindow - 1))
+    return {from, index, Places::Within::table};
+  return {from, index, any_at_least(index, kLanes - 1) ? Places::Within::window : Places::Within::lanes};
 }
 
-/// A table's entries at these places.
-PATINA_INLINE Lanes take(const float* table, const Places& places) {
+/// Entries of a table, and those behind them.
+struct Neighbours {
+  Lanes here, next;
+};
+
+/// Those at these places, by shuffles where the processor has them.
+PATINA_INLINE Neighbours take(const float* table, const Places& places) {
   const float* from = table + places.from;
-  return places.near ? pick(from, places.index) : gather(from, places.index);
+  const Bits& index = places.index;
+#if PATINA_LANES > 4
+  const auto lanes_at = [&](int i) __attribute__((always_inline)) {
+    Lanes lanes;
+    std::memcpy(&lanes, from + i, sizeof lanes);
+    return lanes;
+  };
+  if (places.within == Places::Within::lanes) {
+    const Lanes all = lanes_at(0);
+    return {__builtin_shuffle(all, index), __builtin_shuffle(all, index + 1)};
+  }
+  if (places.within == Places::Within::window) {
+    const Lanes first = lanes_at(0), second = lanes_at(kLanes), third = lanes_at(2 * kLanes);
+    const auto pick = [&](const Bits& i) __attribute__((always_inline)) {
+      return i < 2 * kLanes ? __builtin_shuffle(first, second, i) : __builtin_shuffle(third, i);
+    };
+    return {pick(index), pick(index + 1)};
+  }
+#endif
+  return {gather(from, index), gather(from + 1, index)};
 }
 
 /// The first `count` of kLanes numbers, the last of them repeated to fill up.
@@ -83,6 +100,10 @@ PATINA_INLINE Lanes load(const float* from, int count) {
 
 PATINA_INLINE Lanes load_or_zero(const float* from, int count) {
   Lanes lanes{};
+  if (count == kLanes) {  // as one load: of a length known at run time it is made of many
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+  }
   std::memcpy(&lanes, from, static_cast<std::size_t>(count) * sizeof(float));
   return lanes;
 }
