@@ -31,7 +31,7 @@ Columns columns_in(const Level& level, const std::vector<float>& places) {
     const Lanes at = simd::load(places.data() + i, simd::lanes_from(i, count)) * texels(level) + 0.5f;
     const Bits cut = __builtin_convertvector(at, Bits), raised = cut < 0 ? cut - cut : cut;
     const Bits texel = raised > last ? raised - raised + last : raised;
-    const simd::Places run = simd::places_of(texel, level.side + simd::kWindow);  // with the line's room
+    const simd::Places run = simd::places_of(texel, level.side);
     columns.runs.push_back({run.from, run.within});
     std::memcpy(columns.texel.data() + i, &run.index, sizeof run.index);
     simd::store(at - __builtin_convertvector(texel, Lanes), columns.fraction.data() + i, simd::kLanes);
@@ -39,89 +39,74 @@ Columns columns_in(const Level& level, const std::vector<float>& places) {
   return columns;
 }
 
-/// Where a row of the grid lies in a level: the row of texels before it, and how far it is to the next.
+/// Where a row of the grid lies in a level: the row of texels before it, how far it is from there to the next,
+/// and how far ahead lie the texels of the row that will be wanted then.
 struct RowPlace {
-  const float* before;  ///< [side], and the next row behind it
+  const float* before;  ///< [side] of the first channel, and the next row behind it
   float fraction;
-
-  RowPlace(const Level& level, float place, int channel) {
-    const float at = place * texels(level) + 0.5f;
-    const int first = at > 0 ? std::min(static_cast<int>(at), level.side - 2) : 0;
-    before = level.values + (static_cast<std::ptrdiff_t>(channel) * level.side + first) * level.side;
-    fraction = at - static_cast<float>(first);
-  }
+  std::ptrdiff_t to_coming = 0;
 };
 
-/// What lies between two rows of texels at each texel's column, and how that changes from the one to the
-/// other.
-struct Line {
-  std::vector<float> values, slopes;  ///< [side], and room for simd::take()
-
-  /// @param coming  the row that will be wanted next: a level is too large to wait for its texels
-  void set(const RowPlace& row, const RowPlace& coming, int side) {
-    values.resize(static_cast<std::size_t>(side + simd::kWindow));
-    slopes.resize(static_cast<std::size_t>(side + simd::kWindow));
-    for (std::ptrdiff_t i = 0; i < side; i += simd::kLanes) {
-      __builtin_prefetch(coming.before + i);
-      __builtin_prefetch(coming.before + side + i);
-      const int count = simd::lanes_from(i, side);
-      const Lanes near = simd::load(row.before + i, count),
-                  slope = simd::load(row.before + side + i, count) - near;
-      simd::store(near + slope * row.fraction, values.data() + i, count);
-      simd::store(slope, slopes.data() + i, count);
-    }
-  }
-};
-
-/// Interpolated along a line, and the slope of it, per texel.
-struct Sample {
-  Lanes value, slope;
-};
-
-PATINA_INLINE Sample sample(const std::vector<float>& line, const Columns& columns, std::ptrdiff_t i) {
-  const Columns::Run& run = columns.runs[static_cast<std::size_t>(i / simd::kLanes)];
-  simd::Places places{run.from, {}, run.within};
-  std::memcpy(&places.index, columns.texel.data() + i, sizeof places.index);
-  const simd::Neighbours texels = simd::take(line.data(), places);
-  const Lanes slope = texels.next - texels.here;
-  return {texels.here + slope * simd::load(columns.fraction.data() + i, simd::kLanes), slope};
+RowPlace row_in(const Level& level, float place) {
+  const float at = place * texels(level) + 0.5f;
+  const int first = at > 0 ? std::min(static_cast<int>(at), level.side - 2) : 0;
+  return {level.values + static_cast<std::ptrdiff_t>(first) * level.side, at - static_cast<float>(first)};
 }
 
-/// The columns in each level, and room for a row's lines: of each channel in each level.
-struct Grid {
-  std::vector<Columns> columns;
-  std::vector<std::vector<Line>> lines;
+/// Interpolated between four texels, and its slopes per texel.
+struct Sample {
+  Lanes value, by_x, by_y;
+};
 
-  explicit Grid(const Problem& problem) {
-    assert(problem.levels.size() <= kMostLevels && problem.channels <= kMostChannels);
-    for (const Level& level : problem.levels) columns.push_back(columns_in(level, problem.x));
-    lines.assign(problem.levels.size(), std::vector<Line>(static_cast<std::size_t>(problem.channels)));
+/// All columns and one row in a level.
+struct Grid {
+  const Level* level;
+  Columns columns;
+  RowPlace row;
+
+  Grid(const Level& of, const std::vector<float>& places) : level(&of), columns(columns_in(of, places)), row{} {}
+
+  void set_row(const std::vector<float>& places, std::ptrdiff_t r) {
+    const auto here = static_cast<std::size_t>(r), coming = std::min(here + 1, places.size() - 1);
+    row = row_in(*level, places[here]);
+    row.to_coming = row_in(*level, places[coming]).before - row.before;
   }
 
-  void set_row(const Problem& problem, std::ptrdiff_t row) {
-    const auto here = static_cast<std::size_t>(row), next = std::min(here + 1, problem.y.size() - 1);
-    for (std::size_t l = 0; l < problem.levels.size(); ++l)
-      for (int c = 0; c < problem.channels; ++c) {
-        const Level& level = problem.levels[l];
-        lines[l][static_cast<std::size_t>(c)].set({level, problem.y[here], c}, {level, problem.y[next], c},
-                                                  level.side);
-      }
+  PATINA_INLINE Sample sample(int channel, std::ptrdiff_t i) const {
+    const std::ptrdiff_t side = level->side;
+    const Columns::Run& run = columns.runs[static_cast<std::size_t>(i / simd::kLanes)];
+    simd::Places places{run.from, {}, run.within};
+    std::memcpy(&places.index, columns.texel.data() + i, sizeof places.index);
+    const float *near = row.before + channel * side * side, *far = near + side;
+    // A level is too large to wait for its texels.
+    for (const float* coming : {near + row.to_coming + run.from, far + row.to_coming + run.from})
+      for (int k = 0; k < simd::kWindow; k += simd::kLanes) __builtin_prefetch(coming + k);
+    const Lanes across = simd::load(columns.fraction.data() + i, simd::kLanes);
+    const simd::Neighbours above = simd::take(near, places), below = simd::take(far, places);
+    const Lanes above_slope = above.next - above.here, below_slope = below.next - below.here;
+    const Lanes top = above.here + above_slope * across, down = below.here + below_slope * across - top;
+    return {top + down * row.fraction, above_slope + (below_slope - above_slope) * row.fraction, down};
   }
 };
+
+std::vector<Grid> grids_of(const Problem& problem) {
+  assert(problem.levels.size() <= kMostLevels && problem.channels <= kMostChannels);
+  std::vector<Grid> grids;
+  for (const Level& level : problem.levels) grids.emplace_back(level, problem.x);
+  return grids;
+}
 
 }  // namespace
 
 void look_up(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
   const std::ptrdiff_t columns = problem.columns(), plane = columns * problem.rows();
-  Grid grid(problem);
+  std::vector<Grid> grids = grids_of(problem);
   for (std::ptrdiff_t r = begin; r < end; ++r) {
-    grid.set_row(problem, r);
+    for (Grid& grid : grids) grid.set_row(problem.y, r);
     for (int c = 0; c < problem.channels; ++c)
       for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
         Lanes sum{};
-        for (std::size_t l = 0; l < problem.levels.size(); ++l)
-          sum += problem.levels[l].weight *
-                 sample(grid.lines[l][static_cast<std::size_t>(c)].values, grid.columns[l], i).value;
+        for (const Grid& grid : grids) sum += grid.level->weight * grid.sample(c, i).value;
         simd::store(sum, to + c * plane + r * columns + i, simd::lanes_from(i, columns));
       }
   }
@@ -130,24 +115,23 @@ void look_up(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, f
 void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, const float* by_value,
                       Gradient& gradient) {
   const std::ptrdiff_t columns = problem.columns(), plane = columns * problem.rows();
-  Grid grid(problem);
+  std::vector<Grid> grids = grids_of(problem);
   std::array<Lanes, kMostLevels> by_weight{};
   for (std::ptrdiff_t r = begin; r < end; ++r) {
-    grid.set_row(problem, r);
+    for (Grid& grid : grids) grid.set_row(problem.y, r);
     Lanes by_y{};
     for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
       const int count = simd::lanes_from(i, columns);
       Lanes by_x{};
-      for (std::size_t l = 0; l < problem.levels.size(); ++l) {
+      for (std::size_t l = 0; l < grids.size(); ++l) {
         const Level& level = problem.levels[l];
         Lanes along_x{}, along_y{};
         for (int c = 0; c < problem.channels; ++c) {
-          const Line& line = grid.lines[l][static_cast<std::size_t>(c)];
           const Lanes by = simd::load_or_zero(by_value + c * plane + r * columns + i, count);
-          const Sample seen = sample(line.values, grid.columns[l], i);
+          const Sample seen = grids[l].sample(c, i);
           by_weight[l] += by * seen.value;
-          along_x += by * seen.slope;
-          along_y += by * sample(line.slopes, grid.columns[l], i).value;
+          along_x += by * seen.by_x;
+          along_y += by * seen.by_y;
         }
         by_x += along_x * (level.weight * texels(level));
         by_y += along_y * (level.weight * texels(level));

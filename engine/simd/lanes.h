@@ -48,12 +48,12 @@ PATINA_INLINE bool any_at_least(const Bits& index, int bound) {
 #endif
 }
 
-/// @param at  entries of a table   @param size  how many it has
+/// @param at  entries of a table but its last   @param size  how many it has
 PATINA_INLINE Places places_of(const Bits& at, std::ptrdiff_t size) {
-  const std::int32_t from = at[0] < at[kLanes - 1] ? at[0] : at[kLanes - 1];
-  const Bits index = at - from;
-  if (from + kWindow > size || any_at_least(index, kWindow - 1))
-    return {from, index, Places::Within::table};
+  const std::ptrdiff_t first = at[0] < at[kLanes - 1] ? at[0] : at[kLanes - 1], last = size - kWindow;
+  const std::ptrdiff_t from = first < last ? first : last;
+  const Bits index = at - static_cast<std::int32_t>(from);
+  if (from < 0 || any_at_least(index, kWindow - 1)) return {0, at, Places::Within::table};
   return {from, index, any_at_least(index, kLanes - 1) ? Places::Within::window : Places::Within::lanes};
 }
 
