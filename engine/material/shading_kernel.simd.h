@@ -16,37 +16,57 @@ using Colour = std::array<Lanes, 3>;
 /// Which fields and lobes there are.
 struct AnyLobes {
   static constexpr std::size_t kMost = kMostFields;
-  std::size_t fields;
+  std::span<const Field> fields;
   std::span<const LobeFields> lobes;
-};
 
-/// The same where the compiler knows it, so that a vector's numbers stay in registers.
-template <LobeFields... kLobes>
-struct Lobes {
-  static constexpr std::size_t fields = std::max({ShadingProblem::kLobes, kLobes.roughness_y + 1 ...}),
-                               kMost = fields;
-  static constexpr std::array<LobeFields, sizeof...(kLobes)> lobes = {kLobes...};
-
-  static bool are_of(const ShadingProblem& problem) {
-    return problem.fields.size() == fields && std::ranges::equal(problem.lobes, lobes);
+  bool is_plane(std::size_t field) const { return !fields[field].uniform; }
+  template <class F>
+  PATINA_INLINE void over_fields(const F& f) const {
+    for (std::size_t field = 0; field < fields.size(); ++field) f(field);
   }
 };
 
-constexpr std::size_t kShared = ShadingProblem::kNormal;
-using NoLobe = Lobes<>;                                         // translucent
-using OneLobe = Lobes<LobeFields{kShared, 6, 9, 9}>;            // most materials
-using OneStretchedLobe = Lobes<LobeFields{kShared, 6, 9, 10}>;  // metal
-using ThreeLobes = Lobes<LobeFields{kShared, 6, 9, 9}, LobeFields{10, 13, 16, 16},
-                         LobeFields{kShared, 17, 20, 20}>;  // flake
+/// The same where the compiler knows it, so that a vector's numbers stay in registers.
+/// @param kPlanes  a bit for each field
+template <std::uint32_t kPlanes, LobeFields... kLobes>
+struct Lobes {
+  static constexpr std::size_t kMost = std::max({ShadingProblem::kLobes, kLobes.roughness_y + 1 ...});
+  static constexpr std::array<LobeFields, sizeof...(kLobes)> lobes = {kLobes...};
+
+  static constexpr bool is_plane(std::size_t field) { return (kPlanes >> field & 1) != 0; }
+  template <class F>
+  PATINA_INLINE void over_fields(const F& f) const {
+    [&]<std::size_t... kField>(std::index_sequence<kField...>) __attribute__((always_inline)) {
+      (f(kField), ...);
+    }(std::make_index_sequence<kMost>{});
+  }
+
+  static bool are_of(const ShadingProblem& problem) {
+    if (problem.fields.size() != kMost || !std::ranges::equal(problem.lobes, lobes)) return false;
+    for (std::size_t f = 0; f < kMost; ++f)
+      if (problem.fields[f].uniform == is_plane(f)) return false;
+    return true;
+  }
+};
+
+constexpr std::uint32_t kColourPlanes = 7, kNormalPlanes = 7 << ShadingProblem::kNormal;
+constexpr LobeFields kLobe{ShadingProblem::kNormal, 6, 9, 9}, kStretchedLobe{ShadingProblem::kNormal, 6, 9, 10};
+using Bump = Lobes<kNormalPlanes, kLobe>;
+using RoughBump = Lobes<kNormalPlanes | 1 << 9, kLobe>;  // leather, plaster
+using Wood = Lobes<kColourPlanes | kNormalPlanes | 1 << 9, kLobe>;
+using Metal = Lobes<kNormalPlanes, kStretchedLobe>;
+using Translucent = Lobes<kColourPlanes | kNormalPlanes>;
+using Flake = Lobes<7 << 10 | 1 << 16, kLobe, LobeFields{10, 13, 16, 16},
+                    LobeFields{ShadingProblem::kNormal, 17, 20, 20}>;
 
 /// Calls f(layout).
 template <class F>
 void with_layout(const ShadingProblem& problem, const F& f) {
-  if (NoLobe::are_of(problem)) return f(NoLobe{});
-  if (OneLobe::are_of(problem)) return f(OneLobe{});
-  if (OneStretchedLobe::are_of(problem)) return f(OneStretchedLobe{});
-  if (ThreeLobes::are_of(problem)) return f(ThreeLobes{});
-  f(AnyLobes{problem.fields.size(), problem.lobes});
+  const auto is = [&]<class... Layout>(Layout... layout) {
+    return ((Layout::are_of(problem) && (f(layout), true)) || ...);
+  };
+  if (!is(Bump{}, RoughBump{}, Wood{}, Metal{}, Translucent{}, Flake{}))
+    f(AnyLobes{problem.fields, problem.lobes});
 }
 
 /// The fields and the view at the pixels that are taken at once.
@@ -62,10 +82,10 @@ PATINA_INLINE Pixels<Layout> gather(const ShadingProblem& problem, const Layout&
                                     std::ptrdiff_t column, int count) {
   const std::ptrdiff_t i = row * problem.side + column;
   Pixels<Layout> pixels;
-  for (std::size_t f = 0; f < layout.fields; ++f) {
-    const Field& field = problem.fields[f];
-    pixels.field[f] = field.uniform ? *field.data - Lanes{} : simd::load(field.data + i, count);
-  }
+  layout.over_fields([&](std::size_t f) __attribute__((always_inline)) {
+    const float* field = problem.fields[f].data;
+    pixels.field[f] = layout.is_plane(f) ? simd::load(field + i, count) : *field - Lanes{};
+  });
   const Lanes x = simd::load(problem.offset + column, count), y = -problem.offset[row] - Lanes{};
   const Lanes inverse_distance = simd::load(problem.inverse_distance + i, count);
   pixels.direction = {-x * inverse_distance, -y * inverse_distance, problem.camera_cm * inverse_distance};
@@ -290,7 +310,7 @@ void shade_backward(const ShadingProblem& problem, const Layout& layout, std::pt
                     std::ptrdiff_t end, const ConstPlanes& image, const ConstPlanes& image_gradient,
                     ShadingGradient& gradient) {
   std::array<Lanes, Layout::kMost> by, sums;
-  for (std::size_t f = 0; f < layout.fields; ++f) sums[f] = Lanes{};
+  layout.over_fields([&](std::size_t f) { sums[f] = Lanes{}; });
   Lanes light_sum{}, sigma_sum{};
   over_rows(
       begin, end,
@@ -306,15 +326,19 @@ void shade_backward(const ShadingProblem& problem, const Layout& layout, std::pt
         differentiate(problem, layout, pixels, value, by_image, by, by_light, by_sigma);
         light_sum += by_light;
         sigma_sum += by_sigma;
-        for (std::size_t f = 0; f < layout.fields; ++f) {
-          if (gradient.fields[f].plane) simd::store(by[f], gradient.fields[f].plane + i, count);
-          if (gradient.fields[f].sum) sums[f] += by[f];
-        }
+        layout.over_fields([&](std::size_t f) __attribute__((always_inline)) {
+          if (!layout.is_plane(f)) {
+            sums[f] += by[f];
+          } else if (gradient.fields[f].plane) {
+            simd::store(by[f], gradient.fields[f].plane + i, count);
+          }
+        });
       });
   gradient.light += simd::sum(light_sum);
   gradient.vignette_sigma += simd::sum(sigma_sum) / std::pow(problem.vignette_sigma, 3.0);
-  for (std::size_t f = 0; f < layout.fields; ++f)
+  layout.over_fields([&](std::size_t f) {
     if (gradient.fields[f].sum) *gradient.fields[f].sum += simd::sum(sums[f]);
+  });
 }
 
 }  // namespace
