@@ -2,28 +2,16 @@
 
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/clamp.h>
-#include <ATen/ops/empty_like.h>
 #include <ATen/ops/hardtanh.h>
 #include <ATen/ops/lerp.h>
 #include <ATen/ops/minimum.h>
 #include <ATen/ops/ones_like.h>
 #include <ATen/ops/pad.h>
 #include <ATen/ops/rsub.h>
-#include <ATen/ops/stack.h>
 #include <ATen/ops/zeros_like.h>
-#include <torch/csrc/autograd/custom_function.h>
-
-#include <algorithm>
-#include <vector>
-
-#include "engine/material/pixel_blocks.h"
-#include "engine/material/wood_kernel.h"
 
 namespace patina {
 namespace {
-
-using torch::autograd::AutogradContext;
-using torch::autograd::variable_list;
 
 /// The integral of q from the beginning of a ring on. With the ramps' top m (below 1 where they meet before
 /// it),
@@ -45,9 +33,6 @@ class RingIntegral {
 
   const at::Tensor& whole_ring() const { return whole_ring_; }
 
-  /// [5], as wood::Ring has them.
-  at::Tensor numbers() const { return at::stack({end_, top_, rise_, fall_, whole_ring_}); }
-
  private:
   at::Tensor within_ring(const at::Tensor& t) const {
     const at::Tensor rising = at::minimum(t, rise_);
@@ -59,75 +44,9 @@ class RingIntegral {
   at::Tensor end_, top_, rise_, fall_, whole_ring_;
 };
 
-wood::Ring ring_of(const at::Tensor& numbers) {
-  const float* n = numbers.data_ptr<float>();
-  return {.end = n[0], .top = n[1], .rise = n[2], .fall = n[3], .mean = n[4]};
-}
-
-struct LatewoodRatio : torch::autograd::Function<LatewoodRatio> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& numbers, const at::Tensor& rings,
-                            const at::Tensor& width) {
-    const wood::Ring ring = ring_of(numbers);
-    const at::Tensor ratio = at::empty_like(rings);
-    over_blocks(rings.numel(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      wood::latewood_ratio(ring, rings.data_ptr<float>(), width.data_ptr<float>(), begin, end,
-                           ratio.data_ptr<float>());
-    });
-    context->save_for_backward({numbers, rings, width});
-    return ratio;
-  }
-
-  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
-    const variable_list saved = context->get_saved_variables();
-    const at::Tensor &numbers = saved[0], &rings = saved[1], &width = saved[2];
-    const wood::Ring ring = ring_of(numbers);
-    const at::Tensor gradient = outputs.front().contiguous();
-    const at::Tensor by_numbers = at::empty_like(numbers), by_rings = at::empty_like(rings),
-                     by_width = at::empty_like(width);
-    const std::vector<double> sums = sums_over_blocks(
-        rings.numel(), wood::kRingNumbers, [&](std::int64_t begin, std::int64_t end, double* by_ring) {
-          wood::latewood_ratio_backward(ring, rings.data_ptr<float>(), width.data_ptr<float>(), begin, end,
-                                        gradient.data_ptr<float>(), by_rings.data_ptr<float>(),
-                                        by_width.data_ptr<float>(), by_ring);
-        });
-    std::ranges::copy(sums, by_numbers.data_ptr<float>());
-    return {by_numbers, by_rings, by_width};
-  }
-};
-
-wood::RingField field_of(const at::Tensor& rings) {
-  return {rings.data_ptr<float>(), rings.size(0), rings.size(1)};
-}
-
-struct RingWidths : torch::autograd::Function<RingWidths> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& rings) {
-    constexpr std::int64_t kRowsWorthAThread = 32;
-    const at::Tensor width = at::empty_like(rings);
-    at::parallel_for(0, rings.size(0), kRowsWorthAThread, [&](std::int64_t begin, std::int64_t end) {
-      wood::ring_widths(field_of(rings), begin, end, width.data_ptr<float>());
-    });
-    context->save_for_backward({rings, width});
-    return width;
-  }
-
-  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
-    const variable_list saved = context->get_saved_variables();
-    const at::Tensor by_rings = at::zeros_like(saved[0]);
-    wood::ring_widths_backward(field_of(saved[0]), saved[1].data_ptr<float>(),
-                               outputs.front().contiguous().data_ptr<float>(), by_rings.data_ptr<float>());
-    return {by_rings};
-  }
-};
-
 }  // namespace
 
 at::Tensor latewood_ratio(const RingProfile& profile, const at::Tensor& rings, const at::Tensor& width) {
-  if (rings.scalar_type() != at::kFloat) return latewood_ratio_by_tensors(profile, rings, width);
-  return LatewoodRatio::apply(RingIntegral(profile).numbers(), rings.contiguous(), width.contiguous());
-}
-
-at::Tensor latewood_ratio_by_tensors(const RingProfile& profile, const at::Tensor& rings,
-                                     const at::Tensor& width) {
   const RingIntegral integral(profile);
   // Whole rings between here and the pith drop out of the difference, and would cost digits.
   const at::Tensor begin = rings - width / 2;
@@ -139,11 +58,6 @@ at::Tensor latewood_ratio_by_tensors(const RingProfile& profile, const at::Tenso
 }
 
 at::Tensor ring_widths(const at::Tensor& rings) {
-  return rings.scalar_type() == at::kFloat ? RingWidths::apply(rings.contiguous())
-                                           : ring_widths_by_tensors(rings);
-}
-
-at::Tensor ring_widths_by_tensors(const at::Tensor& rings) {
   const auto next = [&](int dim) {
     const std::int64_t n = rings.size(dim) - 1;
     const at::Tensor steps = (rings.narrow(dim, 1, n) - rings.narrow(dim, 0, n)).unsqueeze(0);

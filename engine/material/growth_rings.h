@@ -17,16 +17,12 @@ struct RingProfile {
 /// it goes over to the mean of a ring, which it is from one ring on ("clamping"; Norton, Rockwood, Skolmoski
 /// 1982).
 /// @param rings, width  [h, w], width above 0
-/// @return              [h, w] in [0,1]. In float32 one pass over the pixels, and one for the gradient, which
-///                      has no further derivatives; else as latewood_ratio_by_tensors(), the reference
+/// @return              [h, w] in [0,1]. Of tensor operations, as all here: wood_kernel.h has the loops over pixels
 at::Tensor latewood_ratio(const RingProfile& profile, const at::Tensor& rings, const at::Tensor& width);
-at::Tensor latewood_ratio_by_tensors(const RingProfile& profile, const at::Tensor& rings,
-                                     const at::Tensor& width);
 
 /// How many rings wide each pixel of a smooth field of rings is: the length of its gradient, by differences
 /// with the next row and column. The projection of a square pixel on any direction has this box's variance.
-/// @param rings  [h, w], h and w at least 2   @return [h, w], above 0; in one pass as latewood_ratio()
+/// @param rings  [h, w], h and w at least 2   @return [h, w], above 0
 at::Tensor ring_widths(const at::Tensor& rings);
-at::Tensor ring_widths_by_tensors(const at::Tensor& rings);
 
 }  // namespace patina

@@ -1,37 +1,36 @@
 #include "engine/material/noise_kernel.h"
 
 #include <cassert>
+#include <vector>
 
 #define PATINA_KERNEL "engine/material/noise_kernel.simd.h"
 #include "engine/simd/each_target.h"
 
 namespace patina::noise {
 
-void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
-  PATINA_ON_TARGET(rings(rings, begin, end, to));
+void rings(const Rings& rings, std::ptrdiff_t pixels, float* to) {
+  PATINA_ON_TARGET(rings(rings, pixels, to));
 }
 
-void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
-                    const RingsGradient& by) {
-  PATINA_ON_TARGET(rings_backward(rings, begin, end, gradient, by));
+void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by) {
+  PATINA_ON_TARGET(rings_backward(rings, pixels, gradient, by));
 }
 
-void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
-  PATINA_ON_TARGET(streaks(streaks, begin, end, to));
+void streaks(const Streaks& streaks, std::ptrdiff_t rows, float* to) {
+  PATINA_ON_TARGET(streaks(streaks, rows, to));
 }
 
-void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* gradient,
                       const StreaksGradient& by) {
-  PATINA_ON_TARGET(streaks_backward(streaks, begin, end, gradient, by));
+  PATINA_ON_TARGET(streaks_backward(streaks, rows, gradient, by));
 }
 
-void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {
-  PATINA_ON_TARGET(warp(warp, begin, end, to));
+void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) {
+  PATINA_ON_TARGET(warp(warp, rows, to));
 }
 
-void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
-                   const WarpGradient& by) {
-  PATINA_ON_TARGET(warp_backward(warp, begin, end, gradient, by));
+void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradient, const WarpGradient& by) {
+  PATINA_ON_TARGET(warp_backward(warp, rows, gradient, by));
 }
 
 }  // namespace patina::noise

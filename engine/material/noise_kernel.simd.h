@@ -111,9 +111,9 @@ struct VolumeLines {
 
 }  // namespace
 
-void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
+void rings(const Rings& rings, std::ptrdiff_t pixels, float* to) {
+  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, pixels);
     const Lanes r = radius(simd::load(rings.x + i, count), simd::load(rings.y + i, count));
     Lanes noise{};
     for (const Plane& plane : rings.planes) noise += plane.weight * sample(plane, r * rings.scale).value;
@@ -121,14 +121,13 @@ void rings(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, float* 
   }
 }
 
-void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
-                    const RingsGradient& by) {
+void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by) {
   assert(rings.planes.size() <= kMostPlanes);
   const float steepness = rings.amplitude * rings.scale;
   std::array<Lanes, kGrowthNumbers> by_growth{};
   std::array<Lanes, kMostPlanes> by_weights{};
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
+  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, pixels);
     const Lanes x = simd::load(rings.x + i, count), y = simd::load(rings.y + i, count), r = radius(x, y);
     const Lanes by_grown = simd::load_or_zero(gradient + i, count) / rings.size;
     Lanes noise{}, slope{};
@@ -139,8 +138,8 @@ void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end
       by_weights[p] += by_grown * seen.value;
     }
     const Lanes outwards = by_grown * (1 + slope * steepness) / r;
-    simd::store(outwards * x, by.x + i, count);
-    simd::store(outwards * y, by.y + i, count);
+    simd::add(outwards * x, by.x + i, count);
+    simd::add(outwards * y, by.y + i, count);
     by_growth[0] += by_grown * slope * r;
     by_growth[1] += by_grown * noise;
     by_growth[2] -= by_grown * (r + noise * rings.amplitude);
@@ -152,9 +151,9 @@ void rings_backward(const Rings& rings, std::ptrdiff_t begin, std::ptrdiff_t end
     by.weights[p] += simd::sum(by_weights[p]) * rings.amplitude;
 }
 
-void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
-  for (std::ptrdiff_t row = begin; row < end; ++row) {
-    const std::ptrdiff_t in_grid = (row + 1) * (streaks.side + 1);
+void streaks(const Streaks& streaks, std::ptrdiff_t rows, float* to) {
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    const std::ptrdiff_t in_grid = row * (streaks.side + 1);
     for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
       const int count = simd::lanes_from(i, streaks.side);
       const Lanes x = (simd::load(streaks.x + in_grid + i, count) - streaks.centre_x) * streaks.scale,
@@ -166,14 +165,14 @@ void streaks(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, f
   }
 }
 
-void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff_t end, const float* gradient,
+void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* gradient,
                       const StreaksGradient& by) {
   assert(streaks.planes.size() <= kMostPlanes);
   const float steepness = streaks.power * streaks.scale;
   std::array<Lanes, kStreakNumbers> sums{};
   std::array<Lanes, kMostPlanes> by_weights{};
-  for (std::ptrdiff_t row = begin; row < end; ++row) {
-    const std::ptrdiff_t in_grid = (row + 1) * (streaks.side + 1);
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    const std::ptrdiff_t in_grid = row * (streaks.side + 1);
     for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
       const int count = simd::lanes_from(i, streaks.side);
       const Lanes x = simd::load(streaks.x + in_grid + i, count) - streaks.centre_x,
@@ -189,8 +188,8 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff
         by_weights[p] += given * seen.value;
       }
       const Lanes by_x = given * slope_x * steepness, by_y = given * slope_y * steepness;
-      simd::store(by_x, by.x + in_grid + i, count);
-      simd::store(by_y, by.y + in_grid + i, count);
+      simd::add(by_x, by.x + in_grid + i, count);
+      simd::add(by_y, by.y + in_grid + i, count);
       sums[0] -= by_x;
       sums[1] -= by_y;
       sums[2] += given * (slope_x * x + slope_y * y);
@@ -205,29 +204,28 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t begin, std::ptrdiff
     by.weights[p] += simd::sum(by_weights[p]) * streaks.power;
 }
 
-void warp(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const Two& to) {
-  VolumeLines row;
-  for (std::ptrdiff_t r = begin; r < end; ++r) {
-    row.set_row(warp, r);
+void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) {
+  VolumeLines line;
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    line.set_row(warp, r);
     for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
       const int count = simd::lanes_from(i, warp.columns);
       const Lanes x = simd::load(warp.x + i, count);
       const AlongLine along(x * warp.scale, warp.volume.period);
-      const Lanes moved_x = x + along(row.lines[0].values).value * warp.amplitude,
-                  moved_y = warp.y[r] + along(row.lines[1].values).value * warp.amplitude;
+      const Lanes moved_x = x + along(line.lines[0].values).value * warp.amplitude,
+                  moved_y = warp.y[r] + along(line.lines[1].values).value * warp.amplitude;
       simd::store(moved_x, to[0] + r * warp.columns + i, count);
       simd::store(moved_y, to[1] + r * warp.columns + i, count);
     }
   }
 }
 
-void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, const ConstTwo& gradient,
-                   const WarpGradient& by) {
+void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradient, const WarpGradient& by) {
   const float steepness = warp.amplitude * warp.scale;
-  VolumeLines row;
+  VolumeLines line;
   Lanes by_scale{}, by_amplitude{};
-  for (std::ptrdiff_t r = begin; r < end; ++r) {
-    row.set_row(warp, r);
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    line.set_row(warp, r);
     Lanes by_y{}, by_z{};
     for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
       const int count = simd::lanes_from(i, warp.columns);
@@ -237,11 +235,11 @@ void warp_backward(const Warp& warp, std::ptrdiff_t begin, std::ptrdiff_t end, c
       Lanes along_x{}, along_y{}, along_z{};
       for (std::size_t c = 0; c < 2; ++c) {
         given[c] = simd::load_or_zero(gradient[c] + r * warp.columns + i, count);
-        const Line seen = along(row.lines[c].values);
+        const Line seen = along(line.lines[c].values);
         by_amplitude += given[c] * seen.value;
         along_x += given[c] * seen.slope;
-        along_y += given[c] * along(row.lines[c].by_y).value;
-        along_z += given[c] * along(row.lines[c].by_z).value;
+        along_y += given[c] * along(line.lines[c].by_y).value;
+        along_z += given[c] * along(line.lines[c].by_z).value;
       }
       by_scale += along_x * x + along_y * warp.y[r] + along_z * warp.z[r];
       simd::add(given[0] + along_x * steepness, by.x + i, count);

@@ -16,13 +16,11 @@
 #include <cmath>
 
 #include "engine/material/hash.h"
-#include "engine/material/noise_look_up.h"
 
 namespace patina {
 namespace {
 
 constexpr int kLinear = 0, kZeros = 0;
-constexpr double kLevelSharpness = -0.5;  // levels: linear interpolation blurs half a level by itself
 
 at::Tensor uniform_values(std::uint64_t seed, std::uint64_t stream, at::IntArrayRef sizes) {
   at::Tensor values = at::empty(sizes, at::kFloat);
@@ -55,8 +53,26 @@ std::vector<Share> shares_of(const at::Tensor& width, std::size_t levels) {
   return {{finer, 1 - coarser_share}, {finer + 1, coarser_share}};
 }
 
+/// One level among those that are mixed: runs of 2^x_level by 2^y_level values.
+struct NoisePlane {
+  at::Tensor values;  ///< ValueNoise::levels[y_level][x_level]
+  std::size_t x_level, y_level;
+  at::Tensor weight;  ///< scalar
+};
+
+/// What is seen of noise at some widths: one or two levels along each axis.
+std::vector<NoisePlane> mixture_of(const ValueNoise& noise, const at::Tensor& width_x,
+                                   const at::Tensor& width_y) {
+  std::vector<NoisePlane> planes;
+  for (const Share& row : shares_of(width_y, noise.levels.size()))
+    for (const Share& column : shares_of(width_x, noise.levels.front().size()))
+      planes.push_back({noise.levels[row.level][column.level], column.level, row.level,
+                        row.share * column.share});
+  return planes;
+}
+
 at::Tensor sample(const NoisePlane& plane, const at::Tensor& x, const at::Tensor& y) {
-  const auto in_level = [](const at::Tensor& coordinate, std::int64_t level) {
+  const auto in_level = [](const at::Tensor& coordinate, std::size_t level) {
     const double run = std::exp2(static_cast<double>(level));
     return (coordinate - (run - 1) / 2) / run;
   };
@@ -68,20 +84,6 @@ at::Tensor sample(const NoisePlane& plane, const at::Tensor& x, const at::Tensor
 }
 
 }  // namespace
-
-NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y) {
-  NoiseMixture mixture;
-  std::vector<at::Tensor> weights;
-  for (const Share& row : shares_of(width_y, noise.levels.size()))
-    for (const Share& column : shares_of(width_x, noise.levels.front().size())) {
-      mixture.planes.push_back({noise.levels[row.level][column.level],
-                                static_cast<std::int64_t>(column.level),
-                                static_cast<std::int64_t>(row.level)});
-      weights.push_back(row.share * column.share);
-    }
-  mixture.weights = at::stack(weights);
-  return mixture;
-}
 
 ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, int columns) {
   ValueNoise noise;
@@ -98,10 +100,9 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y) {
-  const NoiseMixture mixture = mixture_of(noise, width_x, width_y);
   at::Tensor sum = at::zeros_like(x);
-  for (std::size_t p = 0; p < mixture.planes.size(); ++p)
-    sum = sum + mixture.weights[static_cast<std::int64_t>(p)] * sample(mixture.planes[p], x, y);
+  for (const NoisePlane& plane : mixture_of(noise, width_x, width_y))
+    sum = sum + plane.weight * sample(plane, x, y);
   return sum;
 }
 
@@ -112,12 +113,6 @@ at::Tensor make_noise_volume(std::uint64_t seed, std::uint64_t stream, int chann
 
 WarpedGrid warp_grid(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y, const at::Tensor& z,
                      const at::Tensor& scale, const at::Tensor& amplitude) {
-  if (x.scalar_type() != at::kFloat) return warp_grid_by_tensors(volume, x, y, z, scale, amplitude);
-  return look_up_warp(volume, x, y, z, scale, amplitude);
-}
-
-WarpedGrid warp_grid_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                                const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude) {
   const std::int64_t rows = y.numel(), columns = x.numel(), size = volume.size(4);
   const auto axis = [&](const at::Tensor& coordinate) {
     return in_one_period(coordinate * scale, size).expand({rows, columns});

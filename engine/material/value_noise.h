@@ -15,20 +15,7 @@ struct ValueNoise {
   std::vector<std::vector<at::Tensor>> levels;
 };
 
-/// One level of value noise among those that are mixed: runs of 2^x_level by 2^y_level values.
-struct NoisePlane {
-  at::Tensor values;  ///< ValueNoise::levels[y_level][x_level]
-  std::int64_t x_level, y_level;
-};
-
-/// What is seen of noise at some widths: one or two levels along each axis.
-struct NoiseMixture {
-  std::vector<NoisePlane> planes;
-  at::Tensor weights;  ///< [planes]
-};
-
-/// @param width_x, width_y  scalars, as value_noise() has them
-NoiseMixture mixture_of(const ValueNoise& noise, const at::Tensor& width_x, const at::Tensor& width_y);
+constexpr double kLevelSharpness = -0.5;  ///< levels: linear interpolation blurs half a level by itself
 
 /// @param rows, columns  the period, powers of two
 ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, int columns);
@@ -37,8 +24,7 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 /// than the pixels would say nothing true. Continuous and differentiable in all its arguments.
 /// @param x, y              [h, w]
 /// @param width_x, width_y  scalars, above 0
-/// @return                  [h, w]. Of tensor operations: the reference of what reads noise in one pass over
-///                          the pixels (rings_from_pith.h, wood_streaks.h)
+/// @return                  [h, w]. Of tensor operations, as all here: noise_kernel.h has the loops over pixels
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y);
 
@@ -56,11 +42,7 @@ struct WarpedGrid {
 /// @param volume            of two channels
 /// @param x, y, z           [w], [h], [h]: of columns, and of rows
 /// @param scale, amplitude  scalars
-/// In float32 one pass over the pixels, and one for the gradient, which has no further derivatives; else as
-/// warp_grid_by_tensors(), the reference.
 WarpedGrid warp_grid(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y, const at::Tensor& z,
                      const at::Tensor& scale, const at::Tensor& amplitude);
-WarpedGrid warp_grid_by_tensors(const at::Tensor& volume, const at::Tensor& x, const at::Tensor& y,
-                                const at::Tensor& z, const at::Tensor& scale, const at::Tensor& amplitude);
 
 }  // namespace patina

@@ -1,6 +1,4 @@
 // Read once for each target by each_target.h.
-#include "engine/material/over_pixels.simd.h"
-
 namespace patina::wood::PATINA_TARGET {
 namespace simd = patina::simd::PATINA_TARGET;
 namespace {
@@ -11,11 +9,6 @@ using simd::Lanes;
 constexpr float kLeastSquare = 1e-6F;
 constexpr float kDarkest = 1e-20F;  // whose logarithm and reciprocal are numbers
 
-PATINA_INLINE Lanes clamp(const Lanes& x, const Lanes& high) {
-  const Lanes raised = x < 0 ? Lanes{} : x;
-  return raised > high ? high : raised;
-}
-
 /// The integral of the ratio from the beginning of a ring to t, over the ring's top; how far up the ratio is
 /// on either ramp, both from 0 to 1.
 struct Reached {
@@ -23,9 +16,9 @@ struct Reached {
 };
 
 PATINA_INLINE Reached reached(const Ring& ring, const Lanes& t) {
-  const Lanes risen = t < ring.rise ? t / ring.rise : 1 - Lanes{};
-  const Lanes fallen = clamp(t - (ring.end - ring.fall), ring.fall - Lanes{}) / ring.fall;
-  const Lanes after = t > ring.end ? t - ring.end : Lanes{};
+  const Lanes risen = simd::min(1 - Lanes{}, t * (1 / ring.rise));
+  const Lanes fallen = simd::clamp((t - (ring.end - ring.fall)) * (1 / ring.fall), 0, 1);
+  const Lanes after = simd::max(Lanes{}, t - ring.end);
   return {(risen * risen / 2 - risen) * ring.rise + t - fallen * fallen / 2 * ring.fall - after, risen,
           fallen};
 }
@@ -53,13 +46,13 @@ PATINA_INLINE PixelOfRings pixel_of(const Ring& ring, const Lanes& rings, const 
   return p;
 }
 
-/// Calls f(pixel, across, down, count) for all pixels of rows: where the pixels lie, and where the rings that
-/// their steps to the next column and to the next row begin at. The last column and row have the steps
-/// before.
+/// Calls f(pixel, across, down, count) for all pixels of the first rows: where the pixels lie, and where the
+/// rings that their steps to the next column and to the next row begin at. The last column and row of the
+/// field have the steps before.
 template <class F>
-PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
+PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t rows, const F& f) {
   const std::ptrdiff_t last = field.columns - 1;
-  for (std::ptrdiff_t row = begin; row < end; ++row) {
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t here = row * field.columns;
     const std::ptrdiff_t down = row < field.rows - 1 ? here : here - field.columns;
     for (std::ptrdiff_t column = 0; column < last; column += simd::kLanes)
@@ -79,52 +72,25 @@ PATINA_INLINE Lanes roughness(const Contrast& contrast, const Lanes& q) {
   return contrast.latewood_roughness + (1 - q) * contrast.earlywood_roughness_more;
 }
 
+constexpr std::ptrdiff_t kNoPixel = -1;
+
+/// Calls f(place, pixel, count) for all places of the grid: where they lie, and which pixels they are of.
+template <class F>
+PATINA_INLINE void over_grid(const Rows& rows, const F& f) {
+  for (std::ptrdiff_t row = 0; row < rows.rows; ++row) {
+    const std::ptrdiff_t place = row * (rows.side + 1), pixel = (row - rows.first) * rows.side;
+    for (std::ptrdiff_t column = 0; column < rows.side; column += simd::kLanes)
+      f(place + column, row < rows.first ? kNoPixel : pixel + column, simd::lanes_from(column, rows.side));
+    f(place + rows.side, kNoPixel, 1);
+  }
+}
+
 }  // namespace
 
-void latewood_ratio(const Ring& ring, const float* rings, const float* width, std::ptrdiff_t begin,
-                    std::ptrdiff_t end, float* ratio) {
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const PixelOfRings p = pixel_of(ring, simd::load(rings + i, count), simd::load(width + i, count));
-    simd::store(simd::clamp(p.seen, 0, 1), ratio + i, count);
-  }
-}
-
-void latewood_ratio_backward(const Ring& ring, const float* rings, const float* width, std::ptrdiff_t begin,
-                             std::ptrdiff_t end, const float* gradient, float* by_rings, float* by_width,
-                             double* by_ring) {
-  std::array<Lanes, kRingNumbers> sums{};
-  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end);
-    const Lanes w = simd::load(width + i, count);
-    const PixelOfRings p = pixel_of(ring, simd::load(rings + i, count), w);
-    const Lanes given = simd::load_or_zero(gradient + i, count);
-    const Lanes by_seen = p.seen > 0 && p.seen < 1 ? given : Lanes{};
-    const Lanes by_mean = by_seen * p.contrast, by_integral = by_mean / w;
-    const Lanes by_contrast = by_seen * (p.mean - ring.mean);
-    // The ratio itself at either end of the pixel.
-    const Lanes at_begin = (p.begin.risen - p.begin.fallen) * ring.top,
-                at_end = (p.end.risen - p.end.fallen) * ring.top;
-    simd::store(by_integral * (at_end - at_begin), by_rings + i, count);
-    const Lanes contrast_falls = w > 0.5F && w < 1 ? 2 - Lanes{} : Lanes{};
-    simd::store(by_integral * ((at_end + at_begin) / 2 - p.mean) - by_contrast * contrast_falls, by_width + i,
-                count);
-    const auto half_square = [](const Lanes& x) __attribute__((always_inline)) { return x * x / 2; };
-    const Lanes by_area = by_integral * ring.top;
-    sums[0] += by_area * (p.end.fallen - p.begin.fallen);
-    sums[1] += by_integral * (p.end.area - p.begin.area);
-    sums[2] += by_area * (half_square(p.begin.risen) - half_square(p.end.risen));
-    sums[3] +=
-        by_area * (half_square(p.end.fallen) - p.end.fallen - half_square(p.begin.fallen) + p.begin.fallen);
-    sums[4] += by_integral * (p.whole_end - p.whole_begin) + by_seen * (1 - p.contrast);
-  }
-  for (std::size_t k = 0; k < kRingNumbers; ++k) by_ring[k] += simd::sum(sums[k]);
-}
-
-void ring_widths(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t end, float* width) {
+void ring_widths(const RingField& field, std::ptrdiff_t rows, float* width) {
   const float* rings = field.rings;
   over_steps(
-      field, begin, end,
+      field, rows,
       [&](std::ptrdiff_t pixel, std::ptrdiff_t across, std::ptrdiff_t down, int count)
           __attribute__((always_inline)) {
             const Lanes x = simd::load(rings + across + 1, count) - simd::load(rings + across, count);
@@ -133,11 +99,11 @@ void ring_widths(const RingField& field, std::ptrdiff_t begin, std::ptrdiff_t en
           });
 }
 
-void ring_widths_backward(const RingField& field, const float* width, const float* gradient,
-                          float* by_rings) {
+void ring_widths_backward(const RingField& field, std::ptrdiff_t rows, const float* width,
+                          const float* gradient, float* by_rings) {
   const float* rings = field.rings;
   over_steps(
-      field, 0, field.rows,
+      field, rows,
       [&](std::ptrdiff_t pixel, std::ptrdiff_t across, std::ptrdiff_t down, int count)
           __attribute__((always_inline)) {
             const Lanes scale = simd::load(gradient + pixel, count) / simd::load(width + pixel, count);
@@ -150,19 +116,17 @@ void ring_widths_backward(const RingField& field, const float* width, const floa
           });
 }
 
-void finish(const Contrast& contrast, const LatewoodField& field, const Grain& grain, std::ptrdiff_t begin,
-            std::ptrdiff_t end, const FinishTo& to) {
-  const std::ptrdiff_t with_neighbour = field.side + 1;
-  for (std::ptrdiff_t i = begin * with_neighbour; i < end * with_neighbour; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end * with_neighbour);
-    const Lanes height = simd::load(field.ratio + i, count) * contrast.latewood_height;
-    simd::store(height + simd::load(grain.height + i, count) * grain.cm, to.height + i, count);
-  }
-  simd::over_pixels(
-      field.side, begin,
-      end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
-        const Lanes q = simd::load(field.ratio + in_grid, count),
-                    power = simd::load(field.exponent + pixel, count);
+void finish(const Ring& ring, const Contrast& contrast, const Rows& rows, const Grain& grain,
+            const MapsTo& to) {
+  over_grid(
+      rows, [&](std::ptrdiff_t place, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
+        const PixelOfRings p =
+            pixel_of(ring, simd::load(rows.rings + place, count), simd::load(rows.width + place, count));
+        const Lanes q = simd::clamp(p.seen, 0, 1);
+        simd::store(q * contrast.latewood_height + simd::load(grain.height + place, count) * grain.cm,
+                    to.height + place, count);
+        if (pixel == kNoPixel) return;
+        const Lanes power = simd::load(rows.exponent + pixel, count);
         for (std::size_t c = 0; c < 3; ++c) {
           const Lanes mixed = mixture(contrast, c, q);
           simd::store(simd::exp2(simd::clamp(power * simd::log2(mixed), -126, 126)), to.color[c] + pixel,
@@ -172,49 +136,65 @@ void finish(const Contrast& contrast, const LatewoodField& field, const Grain& g
       });
 }
 
-void finish_backward(const Contrast& contrast, const LatewoodField& field, const ConstPlanes& color,
-                     std::ptrdiff_t begin, std::ptrdiff_t end, const FinishGradient& given,
-                     const LatewoodGradient& by) {
-  const std::ptrdiff_t with_neighbour = field.side + 1;
-  std::array<Lanes, 3> early_sums{}, late_sums{};
-  Lanes by_height{}, by_roughness{}, by_more{};
-  for (std::ptrdiff_t i = begin * with_neighbour; i < end * with_neighbour; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, end * with_neighbour);
-    const Lanes by_here = simd::load_or_zero(given.height + i, count);
-    simd::store(by_here * contrast.latewood_height, by.ratio + i, count);
-    by_height += by_here * simd::load(field.ratio + i, count);
-  }
-  simd::over_pixels(
-      field.side, begin,
-      end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
-        const Lanes q = simd::load(field.ratio + in_grid, count),
-                    power = simd::load(field.exponent + pixel, count);
-        Lanes by_q{}, by_power{};
-        for (std::size_t c = 0; c < 3; ++c) {
-          const Lanes mixed = mixture(contrast, c, q);
-          const Lanes by_log =
-              simd::load_or_zero(given.color[c] + pixel, count) * simd::load(color[c] + pixel, count);
-          by_power += by_log * simd::log2(mixed);
-          const Lanes by_mixed = by_log * power / mixed;
-          by_q += by_mixed * (contrast.latewood[c] - contrast.earlywood[c]);
-          early_sums[c] += by_mixed * (1 - q);
-          late_sums[c] += by_mixed * q;
-        }
-        const Lanes rough = roughness(contrast, q),
-                    by_rough =
-                        rough > 0 && rough < 1 ? simd::load_or_zero(given.roughness + pixel, count) : Lanes{};
-        by_roughness += by_rough;
-        by_more += by_rough * (1 - q);
-        simd::add(by_q - by_rough * contrast.earlywood_roughness_more, by.ratio + in_grid, count);
-        simd::store(by_power * std::numbers::ln2_v<float>, by.exponent + pixel, count);
+void finish_backward(const Ring& ring, const Contrast& contrast, const Rows& rows, const ConstPlanes& color,
+                     const MapsGradient& given, const RowsGradient& by) {
+  std::array<Lanes, kRingNumbers> ring_sums{};
+  std::array<Lanes, kContrastNumbers> contrast_sums{};
+
+  /// The gradient by q of what the pixels show. @return it
+  const auto through_pixels = [&](std::ptrdiff_t pixel, const Lanes& q, int count)
+      __attribute__((always_inline)) {
+    const Lanes power = simd::load(rows.exponent + pixel, count);
+    Lanes by_q{}, by_power{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Lanes mixed = mixture(contrast, c, q);
+      const Lanes by_log =
+          simd::load_or_zero(given.color[c] + pixel, count) * simd::load(color[c] + pixel, count);
+      by_power += by_log * simd::log2(mixed);
+      const Lanes by_mixed = by_log * power / mixed;
+      by_q += by_mixed * (contrast.latewood[c] - contrast.earlywood[c]);
+      contrast_sums[c] += by_mixed * (1 - q);
+      contrast_sums[3 + c] += by_mixed * q;
+    }
+    simd::store(by_power * std::numbers::ln2_v<float>, by.exponent + pixel, count);
+    const Lanes rough = roughness(contrast, q);
+    const Lanes by_rough =
+        rough > 0 && rough < 1 ? simd::load_or_zero(given.roughness + pixel, count) : Lanes{};
+    contrast_sums[7] += by_rough;
+    contrast_sums[8] += by_rough * (1 - q);
+    return by_q - by_rough * contrast.earlywood_roughness_more;
+  };
+
+  over_grid(
+      rows, [&](std::ptrdiff_t place, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
+        const Lanes w = simd::load(rows.width + place, count);
+        const PixelOfRings p = pixel_of(ring, simd::load(rows.rings + place, count), w);
+        const Lanes q = simd::clamp(p.seen, 0, 1), by_height = simd::load_or_zero(given.height + place, count);
+        contrast_sums[6] += by_height * q;
+        Lanes by_q = by_height * contrast.latewood_height;
+        if (pixel != kNoPixel) by_q += through_pixels(pixel, q, count);
+
+        const Lanes by_seen = p.seen > 0 && p.seen < 1 ? by_q : Lanes{};
+        const Lanes by_mean = by_seen * p.contrast, by_integral = by_mean / w;
+        const Lanes by_contrast = by_seen * (p.mean - ring.mean);
+        // The ratio itself at either end of the pixel.
+        const Lanes at_begin = (p.begin.risen - p.begin.fallen) * ring.top,
+                    at_end = (p.end.risen - p.end.fallen) * ring.top;
+        simd::store(by_integral * (at_end - at_begin), by.rings + place, count);
+        const Lanes contrast_falls = w > 0.5F && w < 1 ? 2 - Lanes{} : Lanes{};
+        simd::store(by_integral * ((at_end + at_begin) / 2 - p.mean) - by_contrast * contrast_falls,
+                    by.width + place, count);
+        const auto half_square = [](const Lanes& x) __attribute__((always_inline)) { return x * x / 2; };
+        const Lanes by_area = by_integral * ring.top;
+        ring_sums[0] += by_area * (p.end.fallen - p.begin.fallen);
+        ring_sums[1] += by_integral * (p.end.area - p.begin.area);
+        ring_sums[2] += by_area * (half_square(p.begin.risen) - half_square(p.end.risen));
+        ring_sums[3] += by_area * (half_square(p.end.fallen) - p.end.fallen - half_square(p.begin.fallen) +
+                                   p.begin.fallen);
+        ring_sums[4] += by_integral * (p.whole_end - p.whole_begin) + by_seen * (1 - p.contrast);
       });
-  for (std::size_t c = 0; c < 3; ++c) {
-    by.contrast[c] += simd::sum(early_sums[c]);
-    by.contrast[3 + c] += simd::sum(late_sums[c]);
-  }
-  by.contrast[6] += simd::sum(by_height);
-  by.contrast[7] += simd::sum(by_roughness);
-  by.contrast[8] += simd::sum(by_more);
+  for (std::size_t k = 0; k < kRingNumbers; ++k) by.ring[k] += simd::sum(ring_sums[k]);
+  for (std::size_t k = 0; k < kContrastNumbers; ++k) by.contrast[k] += simd::sum(contrast_sums[k]);
 }
 
 }  // namespace patina::wood::PATINA_TARGET

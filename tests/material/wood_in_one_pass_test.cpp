@@ -1,14 +1,17 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/cat.h>
-#include <ATen/ops/full.h>
+#include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/tensor.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
-#include "engine/material/growth_rings.h"
-#include "engine/material/wood_finish.h"
+#include "engine/material/wood_maps.h"
+#include "materials_fixture.h"
 #include "one_pass.h"
 
 namespace patina {
@@ -16,60 +19,114 @@ namespace {
 
 using Inputs = std::vector<at::Tensor>;
 
-at::Tensor numbers(std::initializer_list<double> values) { return at::tensor(values, at::kDouble); }
+class WoodInOnePass : public testing::Test {
+ protected:
+  /// The middle of the prior but for these.
+  std::vector<double> parameters(const std::map<std::string, double>& but = {}) const {
+    std::vector<double> values = prior_location(table_).continuous;
+    for (const auto& [name, value] : but) values[*table_.find_continuous(name)] = value;
+    return values;
+  }
 
-TEST(RingsInOnePass, EqualTensorOperationsWithTheirGradientAtEveryWidth) {
-  const auto fused = [](const Inputs& i) { return latewood_ratio({i[0][0], i[0][1], i[0][2]}, i[1], i[2]); };
-  const auto by_tensors = [](const Inputs& i) {
-    return latewood_ratio_by_tensors({i[0][0], i[0][1], i[0][2]}, i[1], i[2]);
-  };
-  // Ramps that end before the next ring or not, that meet before the top, and steep ones.
-  for (const at::Tensor& profile :
-       {numbers({0.2, 0.2, 0.5}), numbers({0.4, 0.1, 0.1}), numbers({0.2, 0.4, 0.9}),
-        numbers({0.4, 0.4, 0.35}), numbers({0.05, 0.06, 0.5})})
-    for (const double width : {0.07, 0.3, 0.61, 0.87, 1.3}) {
-      SCOPED_TRACE(testing::Message() << width);
-      const at::Tensor widths = places(0.00001, 0).cos() * width;
-      expect_same(fused, by_tensors, {profile, places(0.00517, -3.0071), widths}, 1e-3);
+  at::Tensor grain(int n, at::ScalarType type) const {
+    return (at::arange((n + 1) * (n + 1), type) * 0.37).sin().view({n + 1, n + 1});
+  }
+
+  /// One field of all that a cut shows.
+  template <class F>
+  at::Tensor maps(const F& of, const Inputs& parameters, int n, double size_cm) const {
+    const WoodMaps made = of(parameters, noise_, grain(n, parameters.front().scalar_type()), size_cm);
+    return at::cat({made.color.flatten(), made.height.flatten(), made.roughness.flatten()});
+  }
+
+  void expect_as_by_tensors(const std::map<std::string, double>& but, int n = 37, double size_cm = 3) const {
+    std::string what = std::to_string(n) + " pixels, " + std::to_string(size_cm) + " cm";
+    for (const auto& [name, value] : but) what += ", " + name + " " + std::to_string(value);
+    SCOPED_TRACE(what);
+    Inputs inputs;
+    for (const double value : parameters(but)) inputs.push_back(at::scalar_tensor(value, at::kDouble));
+    const auto by_tensors = [&](const Inputs& i) { return maps(wood_maps_by_tensors, i, n, size_cm); };
+    const Outcome fused =
+        outcome_of([&](const Inputs& i) { return maps(wood_maps, i, n, size_cm); }, inputs, at::kFloat);
+    const Outcome reference = outcome_of(by_tensors, inputs, at::kDouble);
+    EXPECT_LT(difference(fused.value, reference.value), 1e-4);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (!reference.gradients[i].defined()) continue;
+      const double error =
+          fused.gradients[i].item<double>() - reference.gradients[i].item<double>();
+      EXPECT_LT(std::abs(error), 2e-4 * summed(by_tensors, inputs, i)) << table_.continuous[i].name;
     }
+  }
+
+  /// The sum of the magnitudes that a gradient by a parameter is the sum of, and half of a millionth for those
+  /// that are none: rings that come and go cancel out.
+  template <class F>
+  double summed(const F& field_of, Inputs inputs, std::size_t parameter) const {
+    const at::Tensor here = inputs[parameter];
+    const double step = 1e-6 * (1 + std::abs(here.item<double>()));
+    inputs[parameter] = here + step;
+    const at::Tensor ahead = field_of(inputs);
+    inputs[parameter] = here - step;
+    const at::Tensor slope = (ahead - field_of(inputs)) / (2 * step);
+    return (slope * at::arange(slope.numel(), slope.options()).sin()).abs().sum().item<double>() + 5e-7;
+  }
+
+  const ParameterTable table_ = make_material("wood")->table();
+  const WoodNoise noise_ = shared_irregularities().wood();
+};
+
+TEST_F(WoodInOnePass, EqualsTensorOperationsWithItsGradientAtManySizes) {
+  for (const int n : {16, 37, 64, 129}) expect_as_by_tensors({}, n);
 }
 
-TEST(RingWidthsInOnePass, EqualTensorOperationsWithTheirGradient) {
-  const at::Tensor bent = places(0.05, -20).sin() * places(0.013, 2);
-  expect_same([](const Inputs& i) { return ring_widths(i[0]); },
-              [](const Inputs& i) { return ring_widths_by_tensors(i[0]); }, {bent});
+TEST_F(WoodInOnePass, EqualsTensorOperationsAtEveryWidthOfRings) {
+  for (const double size_cm : {0.5, 3.0, 9.0, 25.0}) expect_as_by_tensors({}, 37, size_cm);
 }
 
-/// Inputs: colours, height and roughnesses, ratio, exponent. One field of all that comes of them.
-template <class F>
-at::Tensor finish(const F& of, const Inputs& i) {
-  const at::Tensor grain =
-      at::arange(i[3].numel(), i[3].options().requires_grad(false)).view(i[3].sizes()).sin();
-  const WoodFinish made = of({i[0], i[1], i[2][0], i[2][1], i[2][2]}, i[3], i[4], grain, 0.1);
-  return at::cat({made.color.flatten(), made.height.flatten(), made.roughness.flatten()});
+TEST_F(WoodInOnePass, EqualsTensorOperationsAtEveryProfileOfARing) {
+  // Ramps that end before the next ring or not, that meet before the top, and steep ones.
+  for (const auto& [early, late, fraction] :
+       {std::array{0.2, 0.2, 0.5}, {0.4, 0.1, 0.1}, {0.2, 0.4, 0.9}, {0.4, 0.4, 0.35}, {0.05, 0.06, 0.5}})
+    expect_as_by_tensors({{"ew_ramp_width", early}, {"lw_ramp_width", late}, {"lw_fraction", fraction}});
 }
 
-TEST(WoodFinishInOnePass, EqualsTensorOperationsWithItsGradient) {
-  const auto square = [](const at::Tensor& field, int side) {
-    return field.flatten().narrow(0, 0, side * side).view({side, side});
-  };
-  for (const double roughness : {0.3, 0.9})  // always below 1, and cut off in places
-    expect_same([](const Inputs& i) { return finish(wood_finish, i); },
-                [](const Inputs& i) { return finish(wood_finish_by_tensors, i); },
-                {numbers({0.8, 0.5, 0.03}), numbers({0.3, 0.45, 0.002}), numbers({0.7, roughness, 0.21}),
-                 square(places(0.37, 0).sin().square(), 38), square(places(0.11, 1).cos() * 0.7 + 1.2, 37)});
+TEST_F(WoodInOnePass, EqualsTensorOperationsAtEveryMixtureOfLevelsOfNoise) {
+  for (const auto& [scale, angle] : {std::pair{0.4, 20.0}, {11.0, 1.0}, {11.0, 20.0}, {40.0, 1.0}, {40.0, 88.0}, {3000.0, 88.0}})
+    expect_as_by_tensors({{"ssn_scale", scale}, {"cut_angle", angle}, {"ssn_power", 0.7}});
+  for (const double scale : {0.3, 9.0, 40.0, 3000.0}) expect_as_by_tensors({{"grn_scale", scale}});
 }
 
-TEST(RingsInOnePass, OfAPlaceThatIsNoNumberAreNone) {
-  const at::Tensor profile = numbers({0.2, 0.2, 0.5}).to(at::kFloat), width = at::full({1, 1}, 0.1F);
-  const at::Tensor nowhere = at::full({1, 1}, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(latewood_ratio({profile[0], profile[1], profile[2]}, nowhere, width).isnan().item<bool>());
+TEST_F(WoodInOnePass, EqualsTensorOperationsWithinACellOfGnarlAndAcrossPeriods) {
+  for (const double scale : {0.05, 2.0, 20.0})
+    expect_as_by_tensors({{"gdn_scale", scale}, {"gdn_amplitude", 0.3}});
 }
 
-TEST(WoodFinishInOnePass, OfBlackWoodIsBlackWithANumberForItsGradient) {
-  const at::Tensor black = at::full({3}, 0.0F).set_requires_grad(true), ratio = at::full({3, 3}, 0.5F),
-                   one = at::full({}, 1.0F);
-  const WoodFinish made = wood_finish({black, black, one, one, one}, ratio, at::full({2, 2}, 1.0F), ratio, 0);
+TEST_F(WoodInOnePass, EqualsTensorOperationsWhereRoughnessIsCutOff) {
+  expect_as_by_tensors({{"rough", 0.9}, {"ew_rough", 0.3}});
+}
+
+/// Of parameters in float32, as they are.
+WoodMaps maps_of(const std::vector<double>& parameters, const WoodNoise& noise, const at::Tensor& grain) {
+  return wood_maps(at::tensor(parameters, at::kFloat), noise, grain, 3);
+}
+
+TEST_F(WoodInOnePass, OfAPlaceThatIsNoNumberIsNoneAndReadsNothingOutsideOfTheNoise) {
+  for (const float odd :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30F})
+    for (const char* name : {"center_x", "center_z", "ring_size", "ssn_scale", "grn_scale", "gdn_scale"})
+      maps_of(parameters({{name, static_cast<double>(odd)}}), noise_, grain(17, at::kFloat));
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(maps_of(parameters({{"center_x", none}}), noise_, grain(17, at::kFloat))
+                  .color.isnan()
+                  .all()
+                  .item<bool>());
+}
+
+TEST_F(WoodInOnePass, OfBlackWoodIsBlackWithANumberForItsGradient) {
+  const at::Tensor black =
+      at::tensor(parameters({{"albedo_r", 0}, {"albedo_g", 0}, {"albedo_b", 0}, {"ssn_power", 0}}), at::kFloat)
+          .set_requires_grad(true);
+  const WoodMaps made = wood_maps(black, noise_, grain(17, at::kFloat), 3);
   made.color.sum().backward();
   EXPECT_LT(made.color.max().item<float>(), 1e-6F);
   EXPECT_TRUE(black.grad().isfinite().all().item<bool>());

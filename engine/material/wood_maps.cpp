@@ -1,0 +1,243 @@
+#include "engine/material/wood_maps.h"
+
+#include <ATen/ops/empty.h>
+#include <ATen/ops/tensor.h>
+#include <torch/csrc/autograd/custom_function.h>
+#include <torch/custom_class.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/material/image_planes.h"
+#include "engine/material/noise_kernel.h"
+#include "engine/material/pixel_blocks.h"
+#include "engine/material/wood_kernel.h"
+#include "engine/material/wood_numbers.h"
+
+namespace patina::wood {
+namespace {
+
+using torch::autograd::AutogradContext;
+using torch::autograd::variable_list;
+
+/// A cut, [n + 1, n + 1] with neighbours, as loops over its pixels read it.
+class Cut {
+ public:
+  Cut(const Numbers& numbers, WoodNoise noise, double size_cm, std::int64_t n)
+      : side(n), numbers_(numbers.values.begin(), numbers.values.end()), noise_(std::move(noise)) {
+    const auto place = [&](std::int64_t i) {
+      return ((static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5) * size_cm;
+    };
+    const double *centre = &numbers.values[kCut], sine = centre[3], cosine = centre[4];
+    for (std::int64_t i = 0; i <= n; ++i) {
+      row_places.push_back(place(i - 1));
+      x_.push_back(static_cast<float>(centre[0] + place(i)));
+      y_.push_back(static_cast<float>(centre[1] + sine * row_places.back()));
+      z_.push_back(static_cast<float>((centre[2] + cosine * row_places.back()) * kAlongGrain));
+    }
+    ring_planes_ = planes_of(noise_.ring_widths, numbers.ring_planes, kRingPlanes);
+    streak_planes_ = planes_of(noise_.streaks, numbers.streak_planes, numbers.streak_weights());
+  }
+
+  std::int64_t side;
+  std::vector<double> row_places;  ///< of the image, cm
+
+  std::size_t streak_weights() const { return kRingPlanes + ring_planes_.size(); }
+
+  noise::Warp gnarl(std::int64_t first_row) const {
+    const int period = static_cast<int>(noise_.distortion.size(4)) - 1;
+    assert(std::has_single_bit(static_cast<unsigned>(period)));
+    return {{noise_.distortion.data_ptr<float>(), period}, x_.data(),       y_.data() + first_row,
+            z_.data() + first_row,               side + 1,        numbers_[kGnarl],
+            numbers_[kGnarl + 1]};
+  }
+  noise::Rings growth(const float* x, const float* y) const {
+    return {ring_planes_, x, y, numbers_[kGrowth], numbers_[kGrowth + 1], numbers_[kGrowth + 2]};
+  }
+  noise::Streaks streaks(const float* x, const float* y) const {
+    const float* n = &numbers_[kStreaks];
+    return {streak_planes_, x, y, side, n[0], n[1], n[2], n[3]};
+  }
+  Ring ring() const {
+    const float* n = &numbers_[kRing];
+    return {.end = n[0], .top = n[1], .rise = n[2], .fall = n[3], .mean = n[4]};
+  }
+  Contrast contrast() const {
+    const float* n = &numbers_[kContrast];
+    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7], n[8]};
+  }
+
+ private:
+  std::vector<noise::Plane> planes_of(const ValueNoise& noise, const std::vector<Level>& levels,
+                                      std::size_t weight) const {
+    std::vector<noise::Plane> planes;
+    for (const Level& level : levels) {
+      const at::Tensor& values = noise.levels[level.y][level.x];
+      const auto axis = [&](int dim, std::size_t of) {
+        return noise::Axis{static_cast<int>(values.size(dim)) - 1, std::ldexp(1.0F, -static_cast<int>(of))};
+      };
+      planes.push_back({values.data_ptr<float>(), axis(3, level.x), axis(2, level.y), numbers_[weight++]});
+    }
+    return planes;
+  }
+
+  std::vector<float> numbers_, x_, y_, z_;
+  WoodNoise noise_;
+  std::vector<noise::Plane> ring_planes_, streak_planes_;
+};
+
+/// Rows of the grid that are worked on together, in buffers that a processor keeps near; one more lies behind
+/// them but in the last block, for differences with it.
+class Block {
+ public:
+  static std::int64_t count(std::int64_t rows) { return std::max<std::int64_t>(1, rows / height(rows)); }
+
+  Block(const Cut& cut, std::int64_t index)
+      : cut_(cut),
+        columns_(cut.side + 1),
+        begin_(index * height(columns_)),
+        rows_((index + 1 == count(columns_) ? columns_ : begin_ + height(columns_)) - begin_),
+        seen_(std::min(rows_ + 1, columns_ - begin_)),
+        first_(begin_ == 0 ? 1 : 0),
+        x_(size(seen_)),
+        y_(size(seen_)),
+        rings_(size(seen_)),
+        width_(size(rows_)) {
+    noise::warp(cut.gnarl(begin_), seen_, {x_.data(), y_.data()});
+    noise::rings(cut.growth(x_.data(), y_.data()), seen_ * columns_, rings_.data());
+    ring_widths(field(), rows_, width_.data());
+  }
+
+  /// @param exponent  [n, n]: kept for the gradient
+  void draw(const at::Tensor& grain, const at::Tensor& exponent, const at::Tensor& color,
+            const at::Tensor& height, const at::Tensor& roughness) const {
+    noise::streaks(streaks(), rows_ - first_, exponent.data_ptr<float>() + pixel());
+    finish(cut_.ring(), cut_.contrast(), rows(exponent), {grain.data_ptr<float>() + place(), kGrainHeight},
+           {at_pixel(patina::planes_of(color)), height.data_ptr<float>() + place(),
+            roughness.data_ptr<float>() + pixel()});
+  }
+
+  /// @param by  gradients by color, height and roughness   @param sums  by the numbers; added to
+  void differentiate(const at::Tensor& exponent, const at::Tensor& color, const variable_list& by,
+                     double* sums) const {
+    std::vector<float> by_rings(size(seen_)), by_width(size(rows_)), by_x(size(seen_)), by_y(size(seen_)),
+        by_exponent(size(rows_));
+    finish_backward(cut_.ring(), cut_.contrast(), rows(exponent), at_pixel(const_planes_of(color)),
+                    {at_pixel(const_planes_of(by[0])), by[1].data_ptr<float>() + place(),
+                     by[2].data_ptr<float>() + pixel()},
+                    {by_rings.data(), by_width.data(), by_exponent.data(), sums + kRing, sums + kContrast});
+    ring_widths_backward(field(), rows_, width_.data(), by_width.data(), by_rings.data());
+    const std::int64_t of_pixels = first_ * columns_;
+    noise::streaks_backward(
+        streaks(), rows_ - first_, by_exponent.data(),
+        {by_x.data() + of_pixels, by_y.data() + of_pixels, sums + kStreaks, sums + cut_.streak_weights()});
+    noise::rings_backward(cut_.growth(x_.data(), y_.data()), seen_ * columns_, by_rings.data(),
+                          {by_x.data(), by_y.data(), sums + kGrowth, sums + kRingPlanes});
+    differentiate_cut(by_x, by_y, sums);
+  }
+
+ private:
+  /// Rows of a block: as many as come near kBlock pixels, and at least two, which a difference needs.
+  static std::int64_t height(std::int64_t rows) { return std::max<std::int64_t>(2, rows_of_a_block(rows)); }
+  std::size_t size(std::int64_t rows) const { return static_cast<std::size_t>(rows * columns_); }
+
+  void differentiate_cut(const std::vector<float>& by_x, const std::vector<float>& by_y, double* sums) const {
+    std::vector<float> by_columns(size(1)), by_rows(size(1)), by_depths(size(1));
+    noise::warp_backward(cut_.gnarl(begin_), seen_, {by_x.data(), by_y.data()},
+                         {by_columns.data(), by_rows.data(), by_depths.data(), sums + kGnarl});
+    for (const float by_column : by_columns) sums[kCut] += static_cast<double>(by_column);
+    for (std::int64_t r = 0; r < seen_; ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      const double by_row = static_cast<double>(by_rows[row]),
+                   by_depth = static_cast<double>(by_depths[row]) * kAlongGrain,
+                   place = cut_.row_places[static_cast<std::size_t>(begin_) + row];
+      sums[kCut + 1] += by_row;
+      sums[kCut + 2] += by_depth;
+      sums[kCut + 3] += by_row * place;
+      sums[kCut + 4] += by_depth * place;
+    }
+  }
+
+  std::int64_t place() const { return begin_ * columns_; }
+  std::int64_t pixel() const { return (begin_ - 1 + first_) * cut_.side; }
+  template <class Pointers>
+  Pointers at_pixel(Pointers planes) const {
+    for (auto& plane : planes) plane += pixel();
+    return planes;
+  }
+  RingField field() const { return {rings_.data(), seen_, columns_}; }
+  noise::Streaks streaks() const {
+    return cut_.streaks(x_.data() + first_ * columns_, y_.data() + first_ * columns_);
+  }
+  Rows rows(const at::Tensor& exponent) const {
+    return {rings_.data(), width_.data(), exponent.data_ptr<float>() + pixel(), rows_, first_, cut_.side};
+  }
+
+  const Cut& cut_;
+  std::int64_t columns_, begin_, rows_, seen_, first_;
+  std::vector<float> x_, y_, rings_, width_;
+};
+
+/// What the gradient needs beside tensors.
+struct Kept : torch::CustomClassHolder {
+  Numbers numbers;
+  Cut cut;
+  Kept(Numbers of, WoodNoise noise, double size_cm, std::int64_t n)
+      : numbers(std::move(of)), cut(numbers, std::move(noise), size_cm, n) {}
+};
+
+struct Maps : torch::autograd::Function<Maps> {
+  /// @param parameters  [kParameters]
+  static variable_list forward(AutogradContext* context, const at::Tensor& parameters, const WoodNoise& noise,
+                               const at::Tensor& grain, double size_cm) {
+    const std::int64_t n = grain.size(0) - 1;
+    std::array<double, kParameters> values;
+    std::copy_n(parameters.data_ptr<float>(), values.size(), values.begin());
+    const auto kept = c10::make_intrusive<Kept>(numbers_of(values, noise, size_cm / static_cast<double>(n)),
+                                                noise, size_cm, n);
+    const at::TensorOptions options = parameters.options();
+    const at::Tensor exponent = at::empty({n, n}, options), color = at::empty({3, n, n}, options),
+                     height = at::empty({n + 1, n + 1}, options), roughness = at::empty({n, n}, options);
+    over_blocks(Block::count(n + 1), 1, [&](std::int64_t block, std::int64_t, std::int64_t) {
+      Block(kept->cut, block).draw(grain, exponent, color, height, roughness);
+    });
+    context->save_for_backward({parameters, exponent, color});
+    context->saved_data["kept"] = at::IValue::make_capsule(kept);
+    return {color, height, roughness};
+  }
+
+  static variable_list backward(AutogradContext* context, const variable_list& outputs) {
+    const variable_list saved = context->get_saved_variables();
+    const at::Tensor &parameters = saved[0], &exponent = saved[1], &color = saved[2];
+    const auto capsule = context->saved_data["kept"].toCapsule();
+    const Kept& kept = *static_cast<const Kept*>(capsule.get());
+    const variable_list by{outputs[0].contiguous(), outputs[1].contiguous(), outputs[2].contiguous()};
+    const std::vector<double> sums =
+        sums_over_blocks(Block::count(kept.cut.side + 1), 1, kept.numbers.values.size(),
+                         [&](std::int64_t block, std::int64_t, double* of_block) {
+                           Block(kept.cut, block).differentiate(exponent, color, by, of_block);
+                         });
+    const std::array<double, kParameters> gradient = by_parameters(kept.numbers, sums);
+    return {at::tensor(at::ArrayRef<double>(gradient.data(), gradient.size()), parameters.options()), {}, {}, {}};
+  }
+};
+
+}  // namespace
+}  // namespace patina::wood
+
+namespace patina {
+
+WoodMaps wood_maps(const ParameterTensors& parameters, const WoodNoise& noise, const at::Tensor& grain,
+                   double size_cm) {
+  if (parameters.scalar_type() != at::kFloat) return wood_maps_by_tensors(parameters, noise, grain, size_cm);
+  const auto maps =
+      wood::Maps::apply(parameters.run(0, wood::kParameters), noise, grain.contiguous(), size_cm);
+  return {maps[0], maps[1], maps[2]};
+}
+
+}  // namespace patina
