@@ -104,11 +104,11 @@ void look_up(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, f
   for (std::ptrdiff_t r = begin; r < end; ++r) {
     for (Grid& grid : grids) grid.set_row(problem.y, r);
     for (int c = 0; c < problem.channels; ++c)
-      for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
+      simd::over(0, columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
         Lanes sum{};
         for (const Grid& grid : grids) sum += grid.level->weight * grid.sample(c, i).value;
-        simd::store(sum, to + c * plane + r * columns + i, simd::lanes_from(i, columns));
-      }
+        simd::store(sum, to + c * plane + r * columns + i, count);
+      });
   }
 }
 
@@ -120,8 +120,7 @@ void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff
   for (std::ptrdiff_t r = begin; r < end; ++r) {
     for (Grid& grid : grids) grid.set_row(problem.y, r);
     Lanes by_y{};
-    for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, columns);
+    simd::over(0, columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
       Lanes by_x{};
       for (std::size_t l = 0; l < grids.size(); ++l) {
         const Level& level = problem.levels[l];
@@ -137,7 +136,7 @@ void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff
         by_y += along_y * (level.weight * texels(level));
       }
       simd::add(by_x, gradient.x.data() + i, count);
-    }
+    });
     gradient.y[r] = static_cast<float>(simd::sum(by_y));
   }
   for (std::size_t l = 0; l < problem.levels.size(); ++l) gradient.weight[l] += simd::sum(by_weight[l]);

@@ -112,13 +112,12 @@ struct VolumeLines {
 }  // namespace
 
 void rings(const Rings& rings, std::ptrdiff_t pixels, float* to) {
-  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, pixels);
+  simd::over(0, pixels, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
     const Lanes r = radius(simd::load(rings.x + i, count), simd::load(rings.y + i, count));
     Lanes noise{};
     for (const Plane& plane : rings.planes) noise += plane.weight * sample(plane, r * rings.scale).value;
     simd::store((r + noise * rings.amplitude) / rings.size, to + i, count);
-  }
+  });
 }
 
 void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by) {
@@ -126,8 +125,7 @@ void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* grad
   const float steepness = rings.amplitude * rings.scale;
   std::array<Lanes, kGrowthNumbers> by_growth{};
   std::array<Lanes, kMostPlanes> by_weights{};
-  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
-    const int count = simd::lanes_from(i, pixels);
+  simd::over(0, pixels, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
     const Lanes x = simd::load(rings.x + i, count), y = simd::load(rings.y + i, count), r = radius(x, y);
     const Lanes by_grown = simd::load_or_zero(gradient + i, count) / rings.size;
     Lanes noise{}, slope{};
@@ -143,7 +141,7 @@ void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* grad
     by_growth[0] += by_grown * slope * r;
     by_growth[1] += by_grown * noise;
     by_growth[2] -= by_grown * (r + noise * rings.amplitude);
-  }
+  });
   by.growth[0] += simd::sum(by_growth[0]) * rings.amplitude;
   by.growth[1] += simd::sum(by_growth[1]);
   by.growth[2] += simd::sum(by_growth[2]) / rings.size;
@@ -154,14 +152,13 @@ void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* grad
 void streaks(const Streaks& streaks, std::ptrdiff_t rows, float* to) {
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t in_grid = row * (streaks.side + 1);
-    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, streaks.side);
+    simd::over(0, streaks.side, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
       const Lanes x = (simd::load(streaks.x + in_grid + i, count) - streaks.centre_x) * streaks.scale,
                   y = (simd::load(streaks.y + in_grid + i, count) - streaks.centre_y) * streaks.scale;
       Lanes noise{};
       for (const Plane& plane : streaks.planes) noise += plane.weight * sample(plane, x, y).value;
       simd::store(1 + noise * streaks.power, to + row * streaks.side + i, count);
-    }
+    });
   }
 }
 
@@ -173,8 +170,7 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* 
   std::array<Lanes, kMostPlanes> by_weights{};
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t in_grid = row * (streaks.side + 1);
-    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, streaks.side);
+    simd::over(0, streaks.side, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
       const Lanes x = simd::load(streaks.x + in_grid + i, count) - streaks.centre_x,
                   y = simd::load(streaks.y + in_grid + i, count) - streaks.centre_y,
                   given = simd::load_or_zero(gradient + row * streaks.side + i, count);
@@ -194,7 +190,7 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* 
       sums[1] -= by_y;
       sums[2] += given * (slope_x * x + slope_y * y);
       sums[3] += given * noise;
-    }
+    });
   }
   by.numbers[0] += simd::sum(sums[0]);
   by.numbers[1] += simd::sum(sums[1]);
@@ -208,15 +204,14 @@ void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) {
   VolumeLines line;
   for (std::ptrdiff_t r = 0; r < rows; ++r) {
     line.set_row(warp, r);
-    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, warp.columns);
+    simd::over(0, warp.columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
       const Lanes x = simd::load(warp.x + i, count);
       const AlongLine along(x * warp.scale, warp.volume.period);
       const Lanes moved_x = x + along(line.lines[0].values).value * warp.amplitude,
                   moved_y = warp.y[r] + along(line.lines[1].values).value * warp.amplitude;
       simd::store(moved_x, to[0] + r * warp.columns + i, count);
       simd::store(moved_y, to[1] + r * warp.columns + i, count);
-    }
+    });
   }
 }
 
@@ -227,8 +222,7 @@ void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradie
   for (std::ptrdiff_t r = 0; r < rows; ++r) {
     line.set_row(warp, r);
     Lanes by_y{}, by_z{};
-    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
-      const int count = simd::lanes_from(i, warp.columns);
+    simd::over(0, warp.columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
       const Lanes x = simd::load(warp.x + i, count);
       const AlongLine along(x * warp.scale, warp.volume.period);
       std::array<Lanes, 2> given;
@@ -245,7 +239,7 @@ void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradie
       simd::add(given[0] + along_x * steepness, by.x + i, count);
       by_y += given[1] + along_y * steepness;
       by_z += along_z * steepness;
-    }
+    });
     by.y[r] = static_cast<float>(simd::sum(by_y));
     by.z[r] = static_cast<float>(simd::sum(by_z));
   }

@@ -7,7 +7,7 @@ using simd::Lanes;
 
 /// The least square of a ring's width: a thousandth of a ring keeps the division well-conditioned.
 constexpr float kLeastSquare = 1e-6F;
-constexpr float kDarkest = 1e-20F;  // whose logarithm and reciprocal are numbers
+constexpr float kDarkest = 1e-12F;  // whose logarithm is a number, and one over the product of three
 
 /// The integral of the ratio from the beginning of a ring to t, over the ring's top; how far up the ratio is
 /// on either ramp, both from 0 to 1.
@@ -25,6 +25,7 @@ PATINA_INLINE Reached reached(const Ring& ring, const Lanes& t) {
 
 /// Where a pixel begins and ends, and what lies between.
 struct PixelOfRings {
+  Lanes inverse_width;
   Lanes whole_begin, whole_end;  ///< rings before
   Reached begin, end;
   Lanes mean;      ///< of the ratio over the pixel
@@ -34,13 +35,15 @@ struct PixelOfRings {
 
 PATINA_INLINE PixelOfRings pixel_of(const Ring& ring, const Lanes& rings, const Lanes& width) {
   PixelOfRings p;
+  p.inverse_width = 1 / width;
   const Lanes begin = rings - width / 2;
   const Lanes from = begin - simd::floor(begin), to = from + width;
   p.whole_begin = simd::floor(from);
   p.whole_end = simd::floor(to);
   p.begin = reached(ring, from - p.whole_begin);
   p.end = reached(ring, to - p.whole_end);
-  p.mean = ((p.whole_end - p.whole_begin) * ring.mean + (p.end.area - p.begin.area) * ring.top) / width;
+  p.mean = ((p.whole_end - p.whole_begin) * ring.mean + (p.end.area - p.begin.area) * ring.top) *
+           p.inverse_width;
   p.contrast = simd::clamp(2 - 2 * width, 0, 1);
   p.seen = ring.mean + (p.mean - ring.mean) * p.contrast;
   return p;
@@ -55,8 +58,9 @@ PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t rows, const
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t here = row * field.columns;
     const std::ptrdiff_t down = row < field.rows - 1 ? here : here - field.columns;
-    for (std::ptrdiff_t column = 0; column < last; column += simd::kLanes)
-      f(here + column, here + column, down + column, simd::lanes_from(column, last));
+    simd::over(0, last, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+      f(here + column, here + column, down + column, count);
+    });
     f(here + last, here + last - 1, down + last, 1);
   }
 }
@@ -79,8 +83,9 @@ template <class F>
 PATINA_INLINE void over_grid(const Rows& rows, const F& f) {
   for (std::ptrdiff_t row = 0; row < rows.rows; ++row) {
     const std::ptrdiff_t place = row * (rows.side + 1), pixel = (row - rows.first) * rows.side;
-    for (std::ptrdiff_t column = 0; column < rows.side; column += simd::kLanes)
-      f(place + column, row < rows.first ? kNoPixel : pixel + column, simd::lanes_from(column, rows.side));
+    simd::over(0, rows.side, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+      f(place + column, row < rows.first ? kNoPixel : pixel + column, count);
+    });
     f(place + rows.side, kNoPixel, 1);
   }
 }
@@ -145,13 +150,15 @@ void finish_backward(const Ring& ring, const Contrast& contrast, const Rows& row
   const auto through_pixels = [&](std::ptrdiff_t pixel, const Lanes& q, int count)
       __attribute__((always_inline)) {
     const Lanes power = simd::load(rows.exponent + pixel, count);
+    std::array<Lanes, 3> mixed;
+    for (std::size_t c = 0; c < 3; ++c) mixed[c] = mixture(contrast, c, q);
+    const Lanes quotient = power / (mixed[0] * mixed[1] * mixed[2]);  // three divisions in one
     Lanes by_q{}, by_power{};
     for (std::size_t c = 0; c < 3; ++c) {
-      const Lanes mixed = mixture(contrast, c, q);
       const Lanes by_log =
           simd::load_or_zero(given.color[c] + pixel, count) * simd::load(color[c] + pixel, count);
-      by_power += by_log * simd::log2(mixed);
-      const Lanes by_mixed = by_log * power / mixed;
+      by_power += by_log * simd::log2(mixed[c]);
+      const Lanes by_mixed = by_log * (mixed[(c + 1) % 3] * mixed[(c + 2) % 3] * quotient);
       by_q += by_mixed * (contrast.latewood[c] - contrast.earlywood[c]);
       contrast_sums[c] += by_mixed * (1 - q);
       contrast_sums[3 + c] += by_mixed * q;
@@ -175,7 +182,7 @@ void finish_backward(const Ring& ring, const Contrast& contrast, const Rows& row
         if (pixel != kNoPixel) by_q += through_pixels(pixel, q, count);
 
         const Lanes by_seen = p.seen > 0 && p.seen < 1 ? by_q : Lanes{};
-        const Lanes by_mean = by_seen * p.contrast, by_integral = by_mean / w;
+        const Lanes by_mean = by_seen * p.contrast, by_integral = by_mean * p.inverse_width;
         const Lanes by_contrast = by_seen * (p.mean - ring.mean);
         // The ratio itself at either end of the pixel.
         const Lanes at_begin = (p.begin.risen - p.begin.fallen) * ring.top,

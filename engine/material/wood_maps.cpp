@@ -10,6 +10,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,9 @@ class Cut {
   std::vector<noise::Plane> ring_planes_, streak_planes_;
 };
 
+/// Numbers that nobody has set.
+using Buffer = std::unique_ptr<float[]>;
+
 /// Rows of the grid that are worked on together, in buffers that a processor keeps near; one more lies behind
 /// them but in the last block, for differences with it.
 class Block {
@@ -104,13 +108,13 @@ class Block {
         rows_((index + 1 == count(columns_) ? columns_ : begin_ + height(columns_)) - begin_),
         seen_(std::min(rows_ + 1, columns_ - begin_)),
         first_(begin_ == 0 ? 1 : 0),
-        x_(size(seen_)),
-        y_(size(seen_)),
-        rings_(size(seen_)),
-        width_(size(rows_)) {
-    noise::warp(cut.gnarl(begin_), seen_, {x_.data(), y_.data()});
-    noise::rings(cut.growth(x_.data(), y_.data()), seen_ * columns_, rings_.data());
-    ring_widths(field(), rows_, width_.data());
+        x_(buffer(seen_)),
+        y_(buffer(seen_)),
+        rings_(buffer(seen_)),
+        width_(buffer(rows_)) {
+    noise::warp(cut.gnarl(begin_), seen_, {x_.get(), y_.get()});
+    noise::rings(cut.growth(x_.get(), y_.get()), seen_ * columns_, rings_.get());
+    ring_widths(field(), rows_, width_.get());
   }
 
   /// @param exponent  [n, n]: kept for the gradient
@@ -125,18 +129,18 @@ class Block {
   /// @param by  gradients by color, height and roughness   @param sums  by the numbers; added to
   void differentiate(const at::Tensor& exponent, const at::Tensor& color, const variable_list& by,
                      double* sums) const {
-    std::vector<float> by_rings(size(seen_)), by_width(size(rows_)), by_x(size(seen_)), by_y(size(seen_)),
-        by_exponent(size(rows_));
+    std::vector<float> by_rings(size(seen_)), by_x(size(seen_)), by_y(size(seen_));
+    const Buffer by_width = buffer(rows_), by_exponent = buffer(rows_);
     finish_backward(cut_.ring(), cut_.contrast(), rows(exponent), at_pixel(const_planes_of(color)),
                     {at_pixel(const_planes_of(by[0])), by[1].data_ptr<float>() + place(),
                      by[2].data_ptr<float>() + pixel()},
-                    {by_rings.data(), by_width.data(), by_exponent.data(), sums + kRing, sums + kContrast});
-    ring_widths_backward(field(), rows_, width_.data(), by_width.data(), by_rings.data());
+                    {by_rings.data(), by_width.get(), by_exponent.get(), sums + kRing, sums + kContrast});
+    ring_widths_backward(field(), rows_, width_.get(), by_width.get(), by_rings.data());
     const std::int64_t of_pixels = first_ * columns_;
     noise::streaks_backward(
-        streaks(), rows_ - first_, by_exponent.data(),
+        streaks(), rows_ - first_, by_exponent.get(),
         {by_x.data() + of_pixels, by_y.data() + of_pixels, sums + kStreaks, sums + cut_.streak_weights()});
-    noise::rings_backward(cut_.growth(x_.data(), y_.data()), seen_ * columns_, by_rings.data(),
+    noise::rings_backward(cut_.growth(x_.get(), y_.get()), seen_ * columns_, by_rings.data(),
                           {by_x.data(), by_y.data(), sums + kGrowth, sums + kRingPlanes});
     differentiate_cut(by_x, by_y, sums);
   }
@@ -145,6 +149,7 @@ class Block {
   /// Rows of a block: as many as come near kBlock pixels, and at least two, which a difference needs.
   static std::int64_t height(std::int64_t rows) { return std::max<std::int64_t>(2, rows_of_a_block(rows)); }
   std::size_t size(std::int64_t rows) const { return static_cast<std::size_t>(rows * columns_); }
+  Buffer buffer(std::int64_t rows) const { return std::make_unique_for_overwrite<float[]>(size(rows)); }
 
   void differentiate_cut(const std::vector<float>& by_x, const std::vector<float>& by_y, double* sums) const {
     std::vector<float> by_columns(size(1)), by_rows(size(1)), by_depths(size(1));
@@ -170,17 +175,17 @@ class Block {
     for (auto& plane : planes) plane += pixel();
     return planes;
   }
-  RingField field() const { return {rings_.data(), seen_, columns_}; }
+  RingField field() const { return {rings_.get(), seen_, columns_}; }
   noise::Streaks streaks() const {
-    return cut_.streaks(x_.data() + first_ * columns_, y_.data() + first_ * columns_);
+    return cut_.streaks(x_.get() + first_ * columns_, y_.get() + first_ * columns_);
   }
   Rows rows(const at::Tensor& exponent) const {
-    return {rings_.data(), width_.data(), exponent.data_ptr<float>() + pixel(), rows_, first_, cut_.side};
+    return {rings_.get(), width_.get(), exponent.data_ptr<float>() + pixel(), rows_, first_, cut_.side};
   }
 
   const Cut& cut_;
   std::int64_t columns_, begin_, rows_, seen_, first_;
-  std::vector<float> x_, y_, rings_, width_;
+  Buffer x_, y_, rings_, width_;
 };
 
 /// What the gradient needs beside tensors.

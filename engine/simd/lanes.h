@@ -13,6 +13,15 @@ PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
   return static_cast<int>(end - i < kLanes ? end - i : kLanes);
 }
 
+/// Calls f(i, count) for kLanes of begin ... end - 1 after kLanes; their count is known to the compiler in all
+/// but the last.
+template <class F>
+PATINA_INLINE void over(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
+  std::ptrdiff_t i = begin;
+  for (; i + kLanes <= end; i += kLanes) f(i, kLanes);
+  if (i < end) f(i, static_cast<int>(end - i));
+}
+
 /// @param index  Bits, or a pointer to kLanes of them
 template <class Index>
 PATINA_INLINE Lanes gather(const float* from, const Index& index) {
