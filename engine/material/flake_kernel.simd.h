@@ -7,7 +7,8 @@ using simd::Lanes;
 void lobe(const Gloss& gloss, const ConstPlanes& flakes, std::ptrdiff_t begin, std::ptrdiff_t end,
           const Planes& normal, float* roughness) {
   const float spread = kSpread * gloss.steepness * gloss.steepness;
-  simd::over(begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end);
     const Lanes x = simd::load(flakes[0] + i, count) * gloss.steepness,
                 y = simd::load(flakes[1] + i, count) * gloss.steepness;
     const Lanes up = 1 / simd::sqrt(x * x + y * y + 1);
@@ -16,14 +17,15 @@ void lobe(const Gloss& gloss, const ConstPlanes& flakes, std::ptrdiff_t begin, s
     simd::store(up, normal[2] + i, count);
     const Lanes square_alpha = gloss.square_alpha + simd::load(flakes[2] + i, count) * spread;
     simd::store(simd::sqrt(simd::sqrt(square_alpha)), roughness + i, count);
-  });
+  }
 }
 
 void lobe_backward(const Gloss& gloss, const ConstPlanes& flakes, const Lobe& lobe, const Lobe& gradient,
                    std::ptrdiff_t begin, std::ptrdiff_t end, const Planes& by_flakes, double* by_gloss) {
   const float spread = kSpread * gloss.steepness * gloss.steepness;
   Lanes by_steepness{}, by_square_alpha{};
-  simd::over(begin, end, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = begin; i < end; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, end);
     const auto at = [&](const float* plane) __attribute__((always_inline)) {
       return simd::load(plane + i, count);
     };
@@ -44,7 +46,7 @@ void lobe_backward(const Gloss& gloss, const ConstPlanes& flakes, const Lobe& lo
     simd::store(by_alpha * spread, by_flakes[2] + i, count);
     by_steepness += by_alpha * at(flakes[2]) * (2 * kSpread * gloss.steepness);
     by_square_alpha += by_alpha;
-  });
+  }
   by_gloss[0] += simd::sum(by_steepness);
   by_gloss[1] += simd::sum(by_square_alpha);
 }

@@ -17,7 +17,8 @@ struct RingProfile {
 /// it goes over to the mean of a ring, which it is from one ring on ("clamping"; Norton, Rockwood, Skolmoski
 /// 1982).
 /// @param rings, width  [h, w], width above 0
-/// @return              [h, w] in [0,1]. Of tensor operations, as all here: wood_kernel.h has the loops over pixels
+/// @return              [h, w] in [0,1]. Of tensor operations, as all here: wood_kernel.h has the loops over
+/// pixels
 at::Tensor latewood_ratio(const RingProfile& profile, const at::Tensor& rings, const at::Tensor& width);
 
 /// How many rings wide each pixel of a smooth field of rings is: the length of its gradient, by differences

@@ -24,17 +24,19 @@ PATINA_INLINE Slopes slopes(const float* above, const float* here, float per_pix
 
 void normals_of_row(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
                     const Planes& normal) {
-  simd::over(0, n, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = 0; i < n; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, n);
     const Slopes s = slopes(above + i, here + i, per_pixel, count);
     simd::store(-s.x * s.inverse_length, normal[0] + i, count);
     simd::store(-s.y * s.inverse_length, normal[1] + i, count);
     simd::store(s.inverse_length, normal[2] + i, count);
-  });
+  }
 }
 
 void normals_of_row_backward(const float* above, const float* here, float per_pixel, std::ptrdiff_t n,
                              const ConstPlanes& by_normal, float* by_above, float* by_here) {
-  simd::over(0, n, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = 0; i < n; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, n);
     const Slopes s = slopes(above + i, here + i, per_pixel, count);
     const Lanes gx = simd::load(by_normal[0] + i, count), gy = simd::load(by_normal[1] + i, count),
                 gz = simd::load(by_normal[2] + i, count);
@@ -45,7 +47,7 @@ void normals_of_row_backward(const float* above, const float* here, float per_pi
     simd::add(by_rise_y, by_above + i, count);
     simd::add(-(by_rise_x + by_rise_y), by_here + i, count);
     simd::add(by_rise_x, by_here + i + 1, count);
-  });
+  }
 }
 
 }  // namespace patina::PATINA_TARGET

@@ -29,11 +29,12 @@ PATINA_INLINE Lanes roughness_at(const Relief& relief, const Lanes& cells) {
 void finish(const Relief& relief, const Maps& maps, std::ptrdiff_t begin, std::ptrdiff_t end, float* height,
             float* roughness) {
   const std::ptrdiff_t last = end * (maps.side + 1);
-  simd::over(begin * (maps.side + 1), last, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = begin * (maps.side + 1); i < last; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, last);
     const Lanes relieved = raised(relief, simd::load(maps.cells + i, count)).value * relief.height;
     const Lanes noise = simd::load(maps.noise + i, count) * 2 - 1;
     simd::store(simd::clamp(relieved, 0, 1) + noise * relief.noise_scale, height + i, count);
-  });
+  }
   simd::over_pixels(
       maps.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
@@ -46,7 +47,8 @@ void finish_backward(const Relief& relief, const Maps& maps, std::ptrdiff_t begi
                      const float* by_height, const float* by_roughness, const FinishGradient& by) {
   std::array<Lanes, kReliefNumbers> sums{};
   const std::ptrdiff_t last = end * (maps.side + 1);
-  simd::over(begin * (maps.side + 1), last, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = begin * (maps.side + 1); i < last; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, last);
     const Raised r = raised(relief, simd::load(maps.cells + i, count));
     const Lanes given = simd::load_or_zero(by_height + i, count), relieved = r.value * relief.height;
     const Lanes by_relieved = relieved > 0 && relieved < 1 ? given : Lanes{};
@@ -56,7 +58,7 @@ void finish_backward(const Relief& relief, const Maps& maps, std::ptrdiff_t begi
     sums[0] += by_relieved * r.value;
     sums[1] += by_log * r.log;
     sums[2] += given * (simd::load(maps.noise + i, count) * 2 - 1);
-  });
+  }
   simd::over_pixels(
       maps.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {

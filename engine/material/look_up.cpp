@@ -6,19 +6,21 @@
 #include <ATen/ops/avg_pool2d.h>
 #include <ATen/ops/cat.h>
 #include <ATen/ops/empty.h>
-#include <ATen/ops/empty_like.h>
 #include <ATen/ops/grid_sampler_2d.h>
-#include <ATen/ops/ones.h>
+#include <ATen/ops/lerp.h>
+#include <ATen/ops/log2.h>
 #include <ATen/ops/pad.h>
 #include <ATen/ops/remainder.h>
-#include <ATen/ops/rsub.h>
+#include <ATen/ops/scalar_tensor.h>
 #include <ATen/ops/stack.h>
-#include <ATen/ops/zeros_like.h>
 #include <torch/csrc/autograd/custom_function.h>
+#include <torch/custom_class.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "engine/material/mip_kernel.h"
 #include "engine/material/pixel_blocks.h"
@@ -53,83 +55,136 @@ Place place_of(const at::Tensor& scale, const at::Tensor& shift_x, const at::Ten
           in_one_period(more ? pixel.narrow(0, 0, n + 1) : pixel.narrow(0, 1, n), shift_y)};
 }
 
-/// One or two levels of a map, and their weights, [levels].
-struct Mixture {
-  std::vector<at::Tensor> levels;
-  at::Tensor weights;
+/// The level whose texels, interpolated, are as wide as the pixels; the finest is 0.
+template <class Number>
+Number level_of(const Number& texels_per_pixel) {
+  using std::log2;
+  return log2(texels_per_pixel) + kSharpness;
+}
+
+/// The one or two levels of a map that a level lies at or between.
+struct Shares {
+  std::size_t finer;
+  double coarser;  ///< how much of what is seen the next level has
 };
 
-Mixture mixture_of(const MipMap& map, const at::Tensor& scale, std::int64_t n) {
-  const at::Tensor texels_per_pixel =
-      scale * (static_cast<double>(texels(map.finest())) / static_cast<double>(n));
-  const at::Tensor level = texels_per_pixel.log2() + kSharpness;
-  const double last = static_cast<double>(map.levels.size() - 1);
-  const double at = std::clamp(level.item<double>(), 0.0, last);
+Shares shares_of(double level, std::size_t levels) {
+  const double at = std::clamp(level, 0.0, static_cast<double>(levels - 1));
   const auto finer = static_cast<std::size_t>(std::floor(at));
-  if (at == static_cast<double>(finer))
-    return {{map.levels[finer]}, at::ones({1}, scale.options().requires_grad(false))};
-  const at::Tensor coarser = level - static_cast<double>(finer);
-  return {{map.levels[finer], map.levels[finer + 1]}, at::stack({1 - coarser, coarser})};
+  return {finer, at - static_cast<double>(finer)};
 }
+
+/// Where a look-up's columns or rows lie: in pixels and shifts, before `scale` stretches them.
+struct Axis {
+  std::vector<double> from_middle;
+
+  Axis(double shift, std::int64_t n, std::int64_t first, std::int64_t count) {
+    for (std::int64_t i = first; i < first + count; ++i)
+      from_middle.push_back((static_cast<double>(i) + 0.5) * 2 / static_cast<double>(n) - 1 + shift);
+  }
+
+  /// In [0, 2), as place_of() has them.
+  std::vector<float> places(double scale) const {
+    std::vector<float> at;
+    for (const double place : from_middle) {
+      const double periods = (place * scale + 1) / 2;
+      at.push_back(static_cast<float>(2 * (periods - std::floor(periods))));
+    }
+    return at;
+  }
+};
+
+/// What is looked up, for the gradient.
+struct LookUpPlaces : torch::CustomClassHolder {
+  double scale;
+  Axis x, y;
+  std::vector<at::Tensor> levels;
+  std::vector<float> weights;  ///< of the levels
+
+  LookUpPlaces(const MipMap& map, double scale_, double shift_x, double shift_y, std::int64_t n,
+               Neighbours neighbours)
+      : scale(scale_), x(axis(shift_x, n, neighbours, 0)), y(axis(shift_y, n, neighbours, -1)) {
+    const Shares shares =
+        shares_of(level_of(scale * static_cast<double>(texels(map.finest())) / static_cast<double>(n)),
+                  map.levels.size());
+    levels.push_back(map.levels[shares.finer]);
+    weights.push_back(static_cast<float>(1 - shares.coarser));
+    if (shares.coarser == 0) return;
+    levels.push_back(map.levels[shares.finer + 1]);
+    weights.push_back(static_cast<float>(shares.coarser));
+  }
+
+  mip::Problem problem() const {
+    mip::Problem problem{{}, static_cast<int>(levels.front().size(1)), x.places(scale), y.places(scale)};
+    for (std::size_t l = 0; l < levels.size(); ++l)
+      problem.levels.push_back(
+          {levels[l].data_ptr<float>(), static_cast<int>(levels[l].size(2)), weights[l]});
+    return problem;
+  }
+
+ private:
+  /// @param first  where it begins if there are neighbours
+  static Axis axis(double shift, std::int64_t n, Neighbours neighbours, std::int64_t first) {
+    return neighbours == Neighbours::none ? Axis(shift, n, 0, n) : Axis(shift, n, first, n + 1);
+  }
+};
 
 /// look_up() in float32, one pass over the pixels each way. First derivatives only.
 struct LookUp : torch::autograd::Function<LookUp> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& x, const at::Tensor& y,
-                            const at::Tensor& weights, const std::vector<at::Tensor>& levels) {
-    const mip::Problem problem = laid_out(x, y, weights, levels);
-    const at::Tensor planes = at::empty({problem.channels, problem.rows(), problem.columns()}, x.options());
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& scale, const at::Tensor& shift_x,
+                            const at::Tensor& shift_y, const MipMap& map, std::int64_t n,
+                            Neighbours neighbours) {
+    const auto number = [](const at::Tensor& scalar) {
+      return static_cast<double>(*scalar.data_ptr<float>());
+    };
+    const auto places = c10::make_intrusive<LookUpPlaces>(map, number(scale), number(shift_x),
+                                                          number(shift_y), n, neighbours);
+    const mip::Problem problem = places->problem();
+    const at::Tensor planes =
+        at::empty({problem.channels, problem.rows(), problem.columns()}, scale.options());
     at::parallel_for(0, problem.rows(), kRowsAtOnce, [&](std::int64_t begin, std::int64_t end) {
       mip::look_up(problem, begin, end, planes.data_ptr<float>());
     });
-    context->save_for_backward({x, y, weights});
-    context->saved_data["levels"] = levels;
+    context->saved_data["places"] = at::IValue::make_capsule(places);
     return planes;
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
-    const variable_list saved = context->get_saved_variables();
-    const mip::Problem problem =
-        laid_out(saved[0], saved[1], saved[2], context->saved_data["levels"].toTensorVector());
+    const auto capsule = context->saved_data["places"].toCapsule();
+    const auto& places = *static_cast<const LookUpPlaces*>(capsule.get());
+    const mip::Problem problem = places.problem();
     const at::Tensor by_value = outputs.front().contiguous();
-    const at::Tensor by_x = at::zeros_like(saved[0]), by_y = at::empty_like(saved[1]),
-                     by_weights = at::zeros_like(saved[2]);
     // A block's sums stand for themselves until all are done: the total does not depend on the threads.
-    std::vector<mip::Gradient> own(static_cast<std::size_t>(blocks_of(problem.rows(), kRowsAtOnce)),
-                                   {std::vector<float>(problem.x.size()), by_y.data_ptr<float>(),
-                                    std::vector<double>(problem.levels.size())});
+    std::vector<float> by_y(problem.y.size());
+    std::vector<mip::Gradient> own(
+        static_cast<std::size_t>(blocks_of(problem.rows(), kRowsAtOnce)),
+        {std::vector<float>(problem.x.size()), by_y.data(), std::vector<double>(problem.levels.size())});
     over_blocks(problem.rows(), kRowsAtOnce, [&](std::int64_t block, std::int64_t begin, std::int64_t end) {
       mip::look_up_backward(problem, begin, end, by_value.data_ptr<float>(),
                             own[static_cast<std::size_t>(block)]);
     });
-    for (std::size_t i = 0; i < problem.x.size(); ++i)
-      by_x.data_ptr<float>()[i] = total(own, [i](const mip::Gradient& block) { return block.x[i]; });
-    for (std::size_t l = 0; l < problem.levels.size(); ++l)
-      by_weights.data_ptr<float>()[l] =
-          total(own, [l](const mip::Gradient& block) { return block.weight[l]; });
-    return {by_x, by_y, by_weights, {}};
+
+    double by_scale = 0, by_shift_x = 0, by_shift_y = 0;
+    for (const mip::Gradient& block : own) {
+      add(block.x, places.x, by_scale, by_shift_x);
+      // The coarser level's share is the binary logarithm of the scale, less a constant.
+      if (block.weight.size() == 2)
+        by_scale += (block.weight[1] - block.weight[0]) / (places.scale * std::numbers::ln2);
+    }
+    add(by_y, places.y, by_scale, by_shift_y);
+    const auto scalar = [&](double value) { return at::scalar_tensor(value, by_value.options()); };
+    return {
+        scalar(by_scale), scalar(places.scale * by_shift_x), scalar(places.scale * by_shift_y), {}, {}, {}};
   }
 
  private:
   static constexpr std::int64_t kRowsAtOnce = 16;
 
-  static mip::Problem laid_out(const at::Tensor& x, const at::Tensor& y, const at::Tensor& weights,
-                               const std::vector<at::Tensor>& levels) {
-    const auto numbers = [](const at::Tensor& row) {
-      const at::Tensor dense = row.contiguous();
-      return std::vector<float>(dense.data_ptr<float>(), dense.data_ptr<float>() + dense.numel());
-    };
-    mip::Problem problem{{}, static_cast<int>(levels.front().size(1)), numbers(x), numbers(y)};
-    const std::vector<float> weight = numbers(weights);
-    for (std::size_t l = 0; l < levels.size(); ++l)
-      problem.levels.push_back({levels[l].data_ptr<float>(), static_cast<int>(levels[l].size(2)), weight[l]});
-    return problem;
-  }
-
-  template <class Part>
-  static float total(const std::vector<mip::Gradient>& blocks, const Part& part) {
-    double sum = 0;
-    for (const mip::Gradient& block : blocks) sum += part(block);
-    return static_cast<float>(sum);
+  static void add(const std::vector<float>& by_place, const Axis& axis, double& by_scale, double& by_shift) {
+    for (std::size_t i = 0; i < by_place.size(); ++i) {
+      by_scale += static_cast<double>(by_place[i]) * axis.from_middle[i];
+      by_shift += static_cast<double>(by_place[i]);
+    }
   }
 };
 
@@ -164,9 +219,7 @@ at::Tensor look_up(const MipMap& map, const at::Tensor& scale, const at::Tensor&
                    const at::Tensor& shift_y, int resolution, Neighbours neighbours) {
   if (scale.scalar_type() != at::kFloat)
     return look_up_by_tensors(map, scale, shift_x, shift_y, resolution, neighbours);
-  const Place place = place_of(scale, shift_x, shift_y, resolution, neighbours);
-  const Mixture mixture = mixture_of(map, scale, resolution);
-  return LookUp::apply(place.x, place.y, mixture.weights, mixture.levels);
+  return LookUp::apply(scale, shift_x, shift_y, map, static_cast<std::int64_t>(resolution), neighbours);
 }
 
 at::Tensor look_up_by_tensors(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
@@ -176,10 +229,13 @@ at::Tensor look_up_by_tensors(const MipMap& map, const at::Tensor& scale, const 
   const at::Tensor grid =
       at::stack({place.x.view({1, n}).expand({n, n}), place.y.view({n, 1}).expand({n, n})}, -1).unsqueeze(0) -
       1;
-  const Mixture mixture = mixture_of(map, scale, resolution);
-  at::Tensor sum = mixture.weights[0] * sample(mixture.levels[0], grid);
-  if (mixture.levels.size() > 1) sum = sum + mixture.weights[1] * sample(mixture.levels[1], grid);
-  return sum;
+  const at::Tensor level =
+      level_of<at::Tensor>(scale * (static_cast<double>(texels(map.finest())) / resolution));
+  const Shares shares = shares_of(level.item<double>(), map.levels.size());
+  const at::Tensor finer = sample(map.levels[shares.finer], grid);
+  if (shares.coarser == 0) return finer;
+  return at::lerp(finer, sample(map.levels[shares.finer + 1], grid),
+                  level - static_cast<double>(shares.finer));
 }
 
 at::Tensor without_neighbours(const at::Tensor& planes) {

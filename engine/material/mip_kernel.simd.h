@@ -39,8 +39,8 @@ Columns columns_in(const Level& level, const std::vector<float>& places) {
   return columns;
 }
 
-/// Where a row of the grid lies in a level: the row of texels before it, how far it is from there to the next,
-/// and how far ahead lie the texels of the row that will be wanted then.
+/// Where a row of the grid lies in a level: the row of texels before it, how far it is from there to the
+/// next, and how far ahead lie the texels of the row that will be wanted then.
 struct RowPlace {
   const float* before;  ///< [side] of the first channel, and the next row behind it
   float fraction;
@@ -64,7 +64,8 @@ struct Grid {
   Columns columns;
   RowPlace row;
 
-  Grid(const Level& of, const std::vector<float>& places) : level(&of), columns(columns_in(of, places)), row{} {}
+  Grid(const Level& of, const std::vector<float>& places)
+      : level(&of), columns(columns_in(of, places)), row{} {}
 
   void set_row(const std::vector<float>& places, std::ptrdiff_t r) {
     const auto here = static_cast<std::size_t>(r), coming = std::min(here + 1, places.size() - 1);
@@ -104,11 +105,11 @@ void look_up(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, f
   for (std::ptrdiff_t r = begin; r < end; ++r) {
     for (Grid& grid : grids) grid.set_row(problem.y, r);
     for (int c = 0; c < problem.channels; ++c)
-      simd::over(0, columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+      for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
         Lanes sum{};
         for (const Grid& grid : grids) sum += grid.level->weight * grid.sample(c, i).value;
-        simd::store(sum, to + c * plane + r * columns + i, count);
-      });
+        simd::store(sum, to + c * plane + r * columns + i, simd::lanes_from(i, columns));
+      }
   }
 }
 
@@ -120,7 +121,8 @@ void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff
   for (std::ptrdiff_t r = begin; r < end; ++r) {
     for (Grid& grid : grids) grid.set_row(problem.y, r);
     Lanes by_y{};
-    simd::over(0, columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t i = 0; i < columns; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, columns);
       Lanes by_x{};
       for (std::size_t l = 0; l < grids.size(); ++l) {
         const Level& level = problem.levels[l];
@@ -136,7 +138,7 @@ void look_up_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff
         by_y += along_y * (level.weight * texels(level));
       }
       simd::add(by_x, gradient.x.data() + i, count);
-    });
+    }
     gradient.y[r] = static_cast<float>(simd::sum(by_y));
   }
   for (std::size_t l = 0; l < problem.levels.size(); ++l) gradient.weight[l] += simd::sum(by_weight[l]);

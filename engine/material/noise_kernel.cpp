@@ -12,7 +12,8 @@ void rings(const Rings& rings, std::ptrdiff_t pixels, float* to) {
   PATINA_ON_TARGET(rings(rings, pixels, to));
 }
 
-void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by) {
+void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient,
+                    const RingsGradient& by) {
   PATINA_ON_TARGET(rings_backward(rings, pixels, gradient, by));
 }
 
@@ -25,9 +26,7 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* 
   PATINA_ON_TARGET(streaks_backward(streaks, rows, gradient, by));
 }
 
-void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) {
-  PATINA_ON_TARGET(warp(warp, rows, to));
-}
+void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) { PATINA_ON_TARGET(warp(warp, rows, to)); }
 
 void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradient, const WarpGradient& by) {
   PATINA_ON_TARGET(warp_backward(warp, rows, gradient, by));

@@ -43,7 +43,8 @@ struct RingsGradient {
 };
 
 /// The gradient of a scalar, given that by what rings() writes. Few enough pixels to add up in float32.
-void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by);
+void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient,
+                    const RingsGradient& by);
 
 /// 1 + power N(scale (x - centre_x), scale (y - centre_y)) of rows of pixels, which are those of a grid,
 /// [rows, side + 1], without its last column.

@@ -112,22 +112,26 @@ struct VolumeLines {
 }  // namespace
 
 void rings(const Rings& rings, std::ptrdiff_t pixels, float* to) {
-  simd::over(0, pixels, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  const float per_ring = 1 / rings.size;
+  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, pixels);
     const Lanes r = radius(simd::load(rings.x + i, count), simd::load(rings.y + i, count));
     Lanes noise{};
     for (const Plane& plane : rings.planes) noise += plane.weight * sample(plane, r * rings.scale).value;
-    simd::store((r + noise * rings.amplitude) / rings.size, to + i, count);
-  });
+    simd::store((r + noise * rings.amplitude) * per_ring, to + i, count);
+  }
 }
 
-void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient, const RingsGradient& by) {
+void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* gradient,
+                    const RingsGradient& by) {
   assert(rings.planes.size() <= kMostPlanes);
-  const float steepness = rings.amplitude * rings.scale;
+  const float steepness = rings.amplitude * rings.scale, per_ring = 1 / rings.size;
   std::array<Lanes, kGrowthNumbers> by_growth{};
   std::array<Lanes, kMostPlanes> by_weights{};
-  simd::over(0, pixels, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+  for (std::ptrdiff_t i = 0; i < pixels; i += simd::kLanes) {
+    const int count = simd::lanes_from(i, pixels);
     const Lanes x = simd::load(rings.x + i, count), y = simd::load(rings.y + i, count), r = radius(x, y);
-    const Lanes by_grown = simd::load_or_zero(gradient + i, count) / rings.size;
+    const Lanes by_grown = simd::load_or_zero(gradient + i, count) * per_ring;
     Lanes noise{}, slope{};
     for (std::size_t p = 0; p < rings.planes.size(); ++p) {
       const Line seen = sample(rings.planes[p], r * rings.scale);
@@ -141,7 +145,7 @@ void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* grad
     by_growth[0] += by_grown * slope * r;
     by_growth[1] += by_grown * noise;
     by_growth[2] -= by_grown * (r + noise * rings.amplitude);
-  });
+  }
   by.growth[0] += simd::sum(by_growth[0]) * rings.amplitude;
   by.growth[1] += simd::sum(by_growth[1]);
   by.growth[2] += simd::sum(by_growth[2]) / rings.size;
@@ -152,13 +156,14 @@ void rings_backward(const Rings& rings, std::ptrdiff_t pixels, const float* grad
 void streaks(const Streaks& streaks, std::ptrdiff_t rows, float* to) {
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t in_grid = row * (streaks.side + 1);
-    simd::over(0, streaks.side, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, streaks.side);
       const Lanes x = (simd::load(streaks.x + in_grid + i, count) - streaks.centre_x) * streaks.scale,
                   y = (simd::load(streaks.y + in_grid + i, count) - streaks.centre_y) * streaks.scale;
       Lanes noise{};
       for (const Plane& plane : streaks.planes) noise += plane.weight * sample(plane, x, y).value;
       simd::store(1 + noise * streaks.power, to + row * streaks.side + i, count);
-    });
+    }
   }
 }
 
@@ -170,7 +175,8 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* 
   std::array<Lanes, kMostPlanes> by_weights{};
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t in_grid = row * (streaks.side + 1);
-    simd::over(0, streaks.side, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t i = 0; i < streaks.side; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, streaks.side);
       const Lanes x = simd::load(streaks.x + in_grid + i, count) - streaks.centre_x,
                   y = simd::load(streaks.y + in_grid + i, count) - streaks.centre_y,
                   given = simd::load_or_zero(gradient + row * streaks.side + i, count);
@@ -190,7 +196,7 @@ void streaks_backward(const Streaks& streaks, std::ptrdiff_t rows, const float* 
       sums[1] -= by_y;
       sums[2] += given * (slope_x * x + slope_y * y);
       sums[3] += given * noise;
-    });
+    }
   }
   by.numbers[0] += simd::sum(sums[0]);
   by.numbers[1] += simd::sum(sums[1]);
@@ -204,14 +210,15 @@ void warp(const Warp& warp, std::ptrdiff_t rows, const Two& to) {
   VolumeLines line;
   for (std::ptrdiff_t r = 0; r < rows; ++r) {
     line.set_row(warp, r);
-    simd::over(0, warp.columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, warp.columns);
       const Lanes x = simd::load(warp.x + i, count);
       const AlongLine along(x * warp.scale, warp.volume.period);
       const Lanes moved_x = x + along(line.lines[0].values).value * warp.amplitude,
                   moved_y = warp.y[r] + along(line.lines[1].values).value * warp.amplitude;
       simd::store(moved_x, to[0] + r * warp.columns + i, count);
       simd::store(moved_y, to[1] + r * warp.columns + i, count);
-    });
+    }
   }
 }
 
@@ -222,7 +229,8 @@ void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradie
   for (std::ptrdiff_t r = 0; r < rows; ++r) {
     line.set_row(warp, r);
     Lanes by_y{}, by_z{};
-    simd::over(0, warp.columns, [&](std::ptrdiff_t i, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t i = 0; i < warp.columns; i += simd::kLanes) {
+      const int count = simd::lanes_from(i, warp.columns);
       const Lanes x = simd::load(warp.x + i, count);
       const AlongLine along(x * warp.scale, warp.volume.period);
       std::array<Lanes, 2> given;
@@ -239,7 +247,7 @@ void warp_backward(const Warp& warp, std::ptrdiff_t rows, const ConstTwo& gradie
       simd::add(given[0] + along_x * steepness, by.x + i, count);
       by_y += given[1] + along_y * steepness;
       by_z += along_z * steepness;
-    });
+    }
     by.y[r] = static_cast<float>(simd::sum(by_y));
     by.z[r] = static_cast<float>(simd::sum(by_z));
   }

@@ -6,9 +6,8 @@ namespace patina::simd::PATINA_TARGET {
 template <class F>
 PATINA_INLINE void over_pixels(std::ptrdiff_t side, std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
   for (std::ptrdiff_t row = begin > 0 ? begin : 1; row < end; ++row)
-    over(0, side, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
-      f(row * (side + 1) + column, (row - 1) * side + column, count);
-    });
+    for (std::ptrdiff_t column = 0; column < side; column += kLanes)
+      f(row * (side + 1) + column, (row - 1) * side + column, lanes_from(column, side));
 }
 
 }  // namespace patina::simd::PATINA_TARGET

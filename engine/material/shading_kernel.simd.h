@@ -38,7 +38,8 @@ struct Lobes {
   PATINA_INLINE void over_fields(const F& f) const {
     [&]<std::size_t... kField>(std::index_sequence<kField...>) __attribute__((always_inline)) {
       (f(kField), ...);
-    }(std::make_index_sequence<kMost>{});
+    }
+    (std::make_index_sequence<kMost>{});
   }
 
   static bool are_of(const ShadingProblem& problem) {
@@ -50,7 +51,8 @@ struct Lobes {
 };
 
 constexpr std::uint32_t kColourPlanes = 7, kNormalPlanes = 7 << ShadingProblem::kNormal;
-constexpr LobeFields kLobe{ShadingProblem::kNormal, 6, 9, 9}, kStretchedLobe{ShadingProblem::kNormal, 6, 9, 10};
+constexpr LobeFields kLobe{ShadingProblem::kNormal, 6, 9, 9},
+    kStretchedLobe{ShadingProblem::kNormal, 6, 9, 10};
 using Bump = Lobes<kNormalPlanes, kLobe>;
 using RoughBump = Lobes<kNormalPlanes | 1 << 9, kLobe>;  // leather, plaster
 using Wood = Lobes<kColourPlanes | kNormalPlanes | 1 << 9, kLobe>;
@@ -272,15 +274,14 @@ PATINA_INLINE void differentiate(const ShadingProblem& problem, const Layout& la
   }
 }
 
-/// Calls f(row, column, count) for kLanes pixels of a row at a time: the count is known to the compiler in
-/// all but the last.
+/// Calls f(row, column, count) for kLanes pixels of a row at a time.
 template <class F>
 PATINA_INLINE void over_rows(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t side, const F& f) {
-  for (std::ptrdiff_t row = begin; row < end; ++row) {
-    std::ptrdiff_t column = 0;
-    for (; column + simd::kLanes <= side; column += simd::kLanes) f(row, column, simd::kLanes);
-    if (column < side) f(row, column, static_cast<int>(side - column));
-  }
+  for (std::ptrdiff_t row = begin; row < end; ++row)
+    simd::over(
+        0, side, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+          f(row, column, count);
+        });
 }
 
 template <class Layout>

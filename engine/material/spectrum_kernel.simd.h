@@ -6,7 +6,8 @@ using simd::Lanes;
 void amplitudes(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end, float* to) {
   for (std::ptrdiff_t row = begin; row < end; ++row) {
     const float y = problem.along_y[row], mirrored_y = problem.mirrored_y[row];
-    simd::over(0, problem.columns, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t column = 0; column < problem.columns; column += simd::kLanes) {
+      const int count = simd::lanes_from(column, problem.columns);
       const std::ptrdiff_t i = row * problem.columns + column;
       const auto at = [&](const float* x, const float* phasors) __attribute__((always_inline)) {
         return simd::load(x + column, count) * simd::load(phasors + i, count);
@@ -14,7 +15,7 @@ void amplitudes(const Problem& problem, std::ptrdiff_t begin, std::ptrdiff_t end
       simd::store(
           y * at(problem.along_x, problem.phasors) + mirrored_y * at(problem.mirrored_x, problem.mirrored),
           to + i, count);
-    });
+    }
   }
 }
 
@@ -23,7 +24,8 @@ void amplitudes_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrd
   for (std::ptrdiff_t row = begin; row < end; ++row) {
     const float y = problem.along_y[row], mirrored_y = problem.mirrored_y[row];
     Lanes by_y{}, by_mirrored_y{};
-    simd::over(0, problem.columns, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+    for (std::ptrdiff_t column = 0; column < problem.columns; column += simd::kLanes) {
+      const int count = simd::lanes_from(column, problem.columns);
       const std::ptrdiff_t i = row * problem.columns + column;
       const Lanes given = simd::load_or_zero(by_amplitudes + i, count);
       const Lanes along = given * simd::load(problem.phasors + i, count),
@@ -32,7 +34,7 @@ void amplitudes_backward(const Problem& problem, std::ptrdiff_t begin, std::ptrd
       by_mirrored_y += mirrored * simd::load(problem.mirrored_x + column, count);
       simd::add(y * along, gradient.along_x + column, count);
       simd::add(mirrored_y * mirrored, gradient.mirrored_x + column, count);
-    });
+    }
     gradient.along_y[row] = static_cast<float>(simd::sum(by_y));
     gradient.mirrored_y[row] = static_cast<float>(simd::sum(by_mirrored_y));
   }

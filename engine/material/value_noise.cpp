@@ -66,8 +66,8 @@ std::vector<NoisePlane> mixture_of(const ValueNoise& noise, const at::Tensor& wi
   std::vector<NoisePlane> planes;
   for (const Share& row : shares_of(width_y, noise.levels.size()))
     for (const Share& column : shares_of(width_x, noise.levels.front().size()))
-      planes.push_back({noise.levels[row.level][column.level], column.level, row.level,
-                        row.share * column.share});
+      planes.push_back(
+          {noise.levels[row.level][column.level], column.level, row.level, row.share * column.share});
   return planes;
 }
 

@@ -24,7 +24,8 @@ ValueNoise make_value_noise(std::uint64_t seed, std::uint64_t stream, int rows, 
 /// than the pixels would say nothing true. Continuous and differentiable in all its arguments.
 /// @param x, y              [h, w]
 /// @param width_x, width_y  scalars, above 0
-/// @return                  [h, w]. Of tensor operations, as all here: noise_kernel.h has the loops over pixels
+/// @return                  [h, w]. Of tensor operations, as all here: noise_kernel.h has the loops over
+/// pixels
 at::Tensor value_noise(const ValueNoise& noise, const at::Tensor& x, const at::Tensor& y,
                        const at::Tensor& width_x, const at::Tensor& width_y);
 

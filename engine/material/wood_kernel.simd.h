@@ -42,8 +42,8 @@ PATINA_INLINE PixelOfRings pixel_of(const Ring& ring, const Lanes& rings, const 
   p.whole_end = simd::floor(to);
   p.begin = reached(ring, from - p.whole_begin);
   p.end = reached(ring, to - p.whole_end);
-  p.mean = ((p.whole_end - p.whole_begin) * ring.mean + (p.end.area - p.begin.area) * ring.top) *
-           p.inverse_width;
+  p.mean =
+      ((p.whole_end - p.whole_begin) * ring.mean + (p.end.area - p.begin.area) * ring.top) * p.inverse_width;
   p.contrast = simd::clamp(2 - 2 * width, 0, 1);
   p.seen = ring.mean + (p.mean - ring.mean) * p.contrast;
   return p;
@@ -58,9 +58,10 @@ PATINA_INLINE void over_steps(const RingField& field, std::ptrdiff_t rows, const
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t here = row * field.columns;
     const std::ptrdiff_t down = row < field.rows - 1 ? here : here - field.columns;
-    simd::over(0, last, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
-      f(here + column, here + column, down + column, count);
-    });
+    simd::over(
+        0, last, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+          f(here + column, here + column, down + column, count);
+        });
     f(here + last, here + last - 1, down + last, 1);
   }
 }
@@ -83,9 +84,10 @@ template <class F>
 PATINA_INLINE void over_grid(const Rows& rows, const F& f) {
   for (std::ptrdiff_t row = 0; row < rows.rows; ++row) {
     const std::ptrdiff_t place = row * (rows.side + 1), pixel = (row - rows.first) * rows.side;
-    simd::over(0, rows.side, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
-      f(place + column, row < rows.first ? kNoPixel : pixel + column, count);
-    });
+    simd::over(
+        0, rows.side, [&](std::ptrdiff_t column, int count) __attribute__((always_inline)) {
+          f(place + column, row < rows.first ? kNoPixel : pixel + column, count);
+        });
     f(place + rows.side, kNoPixel, 1);
   }
 }
@@ -176,7 +178,8 @@ void finish_backward(const Ring& ring, const Contrast& contrast, const Rows& row
       rows, [&](std::ptrdiff_t place, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
         const Lanes w = simd::load(rows.width + place, count);
         const PixelOfRings p = pixel_of(ring, simd::load(rows.rings + place, count), w);
-        const Lanes q = simd::clamp(p.seen, 0, 1), by_height = simd::load_or_zero(given.height + place, count);
+        const Lanes q = simd::clamp(p.seen, 0, 1),
+                    by_height = simd::load_or_zero(given.height + place, count);
         contrast_sums[6] += by_height * q;
         Lanes by_q = by_height * contrast.latewood_height;
         if (pixel != kNoPixel) by_q += through_pixels(pixel, q, count);

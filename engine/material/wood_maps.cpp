@@ -7,90 +7,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cassert>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "engine/material/image_planes.h"
-#include "engine/material/noise_kernel.h"
 #include "engine/material/pixel_blocks.h"
-#include "engine/material/wood_kernel.h"
-#include "engine/material/wood_numbers.h"
+#include "engine/material/wood_cut.h"
 
 namespace patina::wood {
 namespace {
 
 using torch::autograd::AutogradContext;
 using torch::autograd::variable_list;
-
-/// A cut, [n + 1, n + 1] with neighbours, as loops over its pixels read it.
-class Cut {
- public:
-  Cut(const Numbers& numbers, WoodNoise noise, double size_cm, std::int64_t n)
-      : side(n), numbers_(numbers.values.begin(), numbers.values.end()), noise_(std::move(noise)) {
-    const auto place = [&](std::int64_t i) {
-      return ((static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5) * size_cm;
-    };
-    const double *centre = &numbers.values[kCut], sine = centre[3], cosine = centre[4];
-    for (std::int64_t i = 0; i <= n; ++i) {
-      row_places.push_back(place(i - 1));
-      x_.push_back(static_cast<float>(centre[0] + place(i)));
-      y_.push_back(static_cast<float>(centre[1] + sine * row_places.back()));
-      z_.push_back(static_cast<float>((centre[2] + cosine * row_places.back()) * kAlongGrain));
-    }
-    ring_planes_ = planes_of(noise_.ring_widths, numbers.ring_planes, kRingPlanes);
-    streak_planes_ = planes_of(noise_.streaks, numbers.streak_planes, numbers.streak_weights());
-  }
-
-  std::int64_t side;
-  std::vector<double> row_places;  ///< of the image, cm
-
-  std::size_t streak_weights() const { return kRingPlanes + ring_planes_.size(); }
-
-  noise::Warp gnarl(std::int64_t first_row) const {
-    const int period = static_cast<int>(noise_.distortion.size(4)) - 1;
-    assert(std::has_single_bit(static_cast<unsigned>(period)));
-    return {{noise_.distortion.data_ptr<float>(), period}, x_.data(),       y_.data() + first_row,
-            z_.data() + first_row,               side + 1,        numbers_[kGnarl],
-            numbers_[kGnarl + 1]};
-  }
-  noise::Rings growth(const float* x, const float* y) const {
-    return {ring_planes_, x, y, numbers_[kGrowth], numbers_[kGrowth + 1], numbers_[kGrowth + 2]};
-  }
-  noise::Streaks streaks(const float* x, const float* y) const {
-    const float* n = &numbers_[kStreaks];
-    return {streak_planes_, x, y, side, n[0], n[1], n[2], n[3]};
-  }
-  Ring ring() const {
-    const float* n = &numbers_[kRing];
-    return {.end = n[0], .top = n[1], .rise = n[2], .fall = n[3], .mean = n[4]};
-  }
-  Contrast contrast() const {
-    const float* n = &numbers_[kContrast];
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7], n[8]};
-  }
-
- private:
-  std::vector<noise::Plane> planes_of(const ValueNoise& noise, const std::vector<Level>& levels,
-                                      std::size_t weight) const {
-    std::vector<noise::Plane> planes;
-    for (const Level& level : levels) {
-      const at::Tensor& values = noise.levels[level.y][level.x];
-      const auto axis = [&](int dim, std::size_t of) {
-        return noise::Axis{static_cast<int>(values.size(dim)) - 1, std::ldexp(1.0F, -static_cast<int>(of))};
-      };
-      planes.push_back({values.data_ptr<float>(), axis(3, level.x), axis(2, level.y), numbers_[weight++]});
-    }
-    return planes;
-  }
-
-  std::vector<float> numbers_, x_, y_, z_;
-  WoodNoise noise_;
-  std::vector<noise::Plane> ring_planes_, streak_planes_;
-};
 
 /// Numbers that nobody has set.
 using Buffer = std::unique_ptr<float[]>;
@@ -103,7 +32,7 @@ class Block {
 
   Block(const Cut& cut, std::int64_t index)
       : cut_(cut),
-        columns_(cut.side + 1),
+        columns_(cut.side() + 1),
         begin_(index * height(columns_)),
         rows_((index + 1 == count(columns_) ? columns_ : begin_ + height(columns_)) - begin_),
         seen_(std::min(rows_ + 1, columns_ - begin_)),
@@ -137,9 +66,9 @@ class Block {
                     {by_rings.data(), by_width.get(), by_exponent.get(), sums + kRing, sums + kContrast});
     ring_widths_backward(field(), rows_, width_.get(), by_width.get(), by_rings.data());
     const std::int64_t of_pixels = first_ * columns_;
-    noise::streaks_backward(
-        streaks(), rows_ - first_, by_exponent.get(),
-        {by_x.data() + of_pixels, by_y.data() + of_pixels, sums + kStreaks, sums + cut_.streak_weights()});
+    noise::streaks_backward(streaks(), rows_ - first_, by_exponent.get(),
+                            {by_x.data() + of_pixels, by_y.data() + of_pixels, sums + kStreaks,
+                             sums + cut_.numbers().streak_weights()});
     noise::rings_backward(cut_.growth(x_.get(), y_.get()), seen_ * columns_, by_rings.data(),
                           {by_x.data(), by_y.data(), sums + kGrowth, sums + kRingPlanes});
     differentiate_cut(by_x, by_y, sums);
@@ -160,7 +89,7 @@ class Block {
       const auto row = static_cast<std::size_t>(r);
       const double by_row = static_cast<double>(by_rows[row]),
                    by_depth = static_cast<double>(by_depths[row]) * kAlongGrain,
-                   place = cut_.row_places[static_cast<std::size_t>(begin_) + row];
+                   place = cut_.row_place(begin_ + r);
       sums[kCut + 1] += by_row;
       sums[kCut + 2] += by_depth;
       sums[kCut + 3] += by_row * place;
@@ -169,7 +98,7 @@ class Block {
   }
 
   std::int64_t place() const { return begin_ * columns_; }
-  std::int64_t pixel() const { return (begin_ - 1 + first_) * cut_.side; }
+  std::int64_t pixel() const { return (begin_ - 1 + first_) * cut_.side(); }
   template <class Pointers>
   Pointers at_pixel(Pointers planes) const {
     for (auto& plane : planes) plane += pixel();
@@ -180,7 +109,7 @@ class Block {
     return cut_.streaks(x_.get() + first_ * columns_, y_.get() + first_ * columns_);
   }
   Rows rows(const at::Tensor& exponent) const {
-    return {rings_.get(), width_.get(), exponent.data_ptr<float>() + pixel(), rows_, first_, cut_.side};
+    return {rings_.get(), width_.get(), exponent.data_ptr<float>() + pixel(), rows_, first_, cut_.side()};
   }
 
   const Cut& cut_;
@@ -190,10 +119,8 @@ class Block {
 
 /// What the gradient needs beside tensors.
 struct Kept : torch::CustomClassHolder {
-  Numbers numbers;
   Cut cut;
-  Kept(Numbers of, WoodNoise noise, double size_cm, std::int64_t n)
-      : numbers(std::move(of)), cut(numbers, std::move(noise), size_cm, n) {}
+  explicit Kept(Cut of) : cut(std::move(of)) {}
 };
 
 struct Maps : torch::autograd::Function<Maps> {
@@ -203,8 +130,8 @@ struct Maps : torch::autograd::Function<Maps> {
     const std::int64_t n = grain.size(0) - 1;
     std::array<double, kParameters> values;
     std::copy_n(parameters.data_ptr<float>(), values.size(), values.begin());
-    const auto kept = c10::make_intrusive<Kept>(numbers_of(values, noise, size_cm / static_cast<double>(n)),
-                                                noise, size_cm, n);
+    const auto kept = c10::make_intrusive<Kept>(
+        Cut(numbers_of(values, noise, size_cm / static_cast<double>(n)), noise, size_cm, n));
     const at::TensorOptions options = parameters.options();
     const at::Tensor exponent = at::empty({n, n}, options), color = at::empty({3, n, n}, options),
                      height = at::empty({n + 1, n + 1}, options), roughness = at::empty({n, n}, options);
@@ -220,15 +147,16 @@ struct Maps : torch::autograd::Function<Maps> {
     const variable_list saved = context->get_saved_variables();
     const at::Tensor &parameters = saved[0], &exponent = saved[1], &color = saved[2];
     const auto capsule = context->saved_data["kept"].toCapsule();
-    const Kept& kept = *static_cast<const Kept*>(capsule.get());
+    const Cut& cut = static_cast<const Kept*>(capsule.get())->cut;
     const variable_list by{outputs[0].contiguous(), outputs[1].contiguous(), outputs[2].contiguous()};
     const std::vector<double> sums =
-        sums_over_blocks(Block::count(kept.cut.side + 1), 1, kept.numbers.values.size(),
+        sums_over_blocks(Block::count(cut.side() + 1), 1, cut.numbers().values.size(),
                          [&](std::int64_t block, std::int64_t, double* of_block) {
-                           Block(kept.cut, block).differentiate(exponent, color, by, of_block);
+                           Block(cut, block).differentiate(exponent, color, by, of_block);
                          });
-    const std::array<double, kParameters> gradient = by_parameters(kept.numbers, sums);
-    return {at::tensor(at::ArrayRef<double>(gradient.data(), gradient.size()), parameters.options()), {}, {}, {}};
+    const std::array<double, kParameters> gradient = by_parameters(cut.numbers(), sums);
+    return {
+        at::tensor(at::ArrayRef<double>(gradient.data(), gradient.size()), parameters.options()), {}, {}, {}};
   }
 };
 

@@ -14,11 +14,12 @@ struct WoodMaps {
   at::Tensor roughness;  ///< [n, n], in [0,1]
 };
 
-/// The cut's points move by noise (warp_grid); how far they then are from the pith, and noise of that, say how
-/// many rings lie between (RingGrowth); each ring begins with earlywood and ends with latewood (RingProfile),
-/// in which colour, height and roughness differ. The colour is raised to a power that varies with streaks,
-/// which go with the sample, not with the trunk: that is the same to look at, and a move of the sample or a
-/// little more of their scale does not exchange all of them. Rings and noise are averaged over each pixel.
+/// The cut's points move by noise (warp_grid); how far they then are from the pith, and noise of that, say
+/// how many rings lie between (RingGrowth); each ring begins with earlywood and ends with latewood
+/// (RingProfile), in which colour, height and roughness differ. The colour is raised to a power that varies
+/// with streaks, which go with the sample, not with the trunk: that is the same to look at, and a move of the
+/// sample or a little more of their scale does not exchange all of them. Rings and noise are averaged over
+/// each pixel.
 /// @param parameters  of Wood
 /// @param grain       a heightfield that all wood has: [n + 1, n + 1]; not differentiated
 /// @param size_cm     of the image

@@ -19,14 +19,14 @@ namespace {
 using namespace wood;
 
 /// Where the cut meets the trunk, whose axis is z: cm, [n + 1] with neighbours (open_normals).
-struct Cut {
+struct CutPlaces {
   at::Tensor x, y, z;    ///< of columns, of rows, and of rows
   at::Tensor stretch_y;  ///< scalar: how far y goes per cm of the image's
 };
 
 /// The image's y points down here, as in the paper's code.
 /// @param centre  [3], cm   @param angle  degrees
-Cut cut_through(const at::Tensor& centre, const at::Tensor& angle, double size_cm, std::int64_t n) {
+CutPlaces cut_through(const at::Tensor& centre, const at::Tensor& angle, double size_cm, std::int64_t n) {
   const at::Tensor pixel = at::arange(-1, n + 1, centre.options().requires_grad(false));
   const at::Tensor place = ((pixel + 0.5) / static_cast<double>(n) - 0.5) * size_cm;
   const at::Tensor columns = place.narrow(0, 1, n + 1), rows = place.narrow(0, 0, n + 1);
@@ -46,7 +46,7 @@ at::Tensor rings_from_pith(const WarpedGrid& place, const ParameterTensors& p, c
 }
 
 /// What the colour is raised to: 1 + power N(scale (place - centre)).
-at::Tensor streak_exponent(const WarpedGrid& place, const Cut& cut, const at::Tensor& centre,
+at::Tensor streak_exponent(const WarpedGrid& place, const CutPlaces& cut, const at::Tensor& centre,
                            const ParameterTensors& p, const ValueNoise& noise, double pixel_cm) {
   const at::Tensor width = p[kStreakScale] * pixel_cm;
   const auto across = [&](const at::Tensor& at, const at::Tensor& middle) {
@@ -64,16 +64,18 @@ WoodMaps wood_maps_by_tensors(const ParameterTensors& p, const WoodNoise& noise,
   const std::int64_t n = grain.size(0) - 1;
   const double pixel_cm = size_cm / static_cast<double>(n);
   const at::Tensor albedo = p.run(kAlbedo, 3), centre = p.run(kCentre, 3);
-  const Cut cut = cut_through(centre, p[kCutAngle], size_cm, n);
+  const CutPlaces cut = cut_through(centre, p[kCutAngle], size_cm, n);
   const WarpedGrid place =
       warp_grid(noise.distortion, cut.x, cut.y, cut.z * kAlongGrain, p[kGnarlScale], p[kGnarlAmplitude]);
   const at::Tensor rings = rings_from_pith(place, p, noise.ring_widths, pixel_cm);
   const RingProfile profile{.earlywood_ramp = p[kEarlywoodRamp],
                             .latewood_ramp = p[kLatewoodRamp],
                             .latewood_fraction = p[kLatewoodFraction]};
-  const at::Tensor ratio = latewood_ratio(profile, rings, ring_widths(rings)), here = without_neighbours(ratio);
+  const at::Tensor ratio = latewood_ratio(profile, rings, ring_widths(rings)),
+                   here = without_neighbours(ratio);
 
-  const at::Tensor mixed = at::lerp(albedo.view({3, 1, 1}), albedo.pow(p[kLatewoodPower]).view({3, 1, 1}), here);
+  const at::Tensor mixed =
+      at::lerp(albedo.view({3, 1, 1}), albedo.pow(p[kLatewoodPower]).view({3, 1, 1}), here);
   // A power is written exp(k log x), whose gradient costs no second power.
   const at::Tensor exponent = streak_exponent(place, cut, centre, p, noise.streaks, pixel_cm);
   return {.color = (mixed.log() * exponent).exp(),

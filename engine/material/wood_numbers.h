@@ -35,7 +35,8 @@ struct Numbers {
 };
 
 /// @param parameters  of Wood
-Numbers numbers_of(const std::array<double, kParameters>& parameters, const WoodNoise& noise, double pixel_cm);
+Numbers numbers_of(const std::array<double, kParameters>& parameters, const WoodNoise& noise,
+                   double pixel_cm);
 
 /// The gradient of a scalar by the parameters, given that by the numbers.
 std::array<double, kParameters> by_parameters(const Numbers& numbers, const std::vector<double>& by_numbers);

@@ -13,8 +13,8 @@ PATINA_INLINE int lanes_from(std::ptrdiff_t i, std::ptrdiff_t end) {
   return static_cast<int>(end - i < kLanes ? end - i : kLanes);
 }
 
-/// Calls f(i, count) for kLanes of begin ... end - 1 after kLanes; their count is known to the compiler in all
-/// but the last.
+/// Calls f(i, count) for kLanes of begin ... end - 1 after kLanes; their count is known to the compiler in
+/// all but the last.
 template <class F>
 PATINA_INLINE void over(std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
   std::ptrdiff_t i = begin;

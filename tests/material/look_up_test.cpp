@@ -4,7 +4,7 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
 #include <ATen/ops/rand.h>
-#include <ATen/ops/tensor.h>
+#include <ATen/ops/scalar_tensor.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -19,7 +19,7 @@ using LookUpFunction = at::Tensor (*)(const MipMap&, const at::Tensor&, const at
 std::vector<at::Tensor> looked(LookUpFunction look_up, const MipMap& map, double scale, int resolution,
                                at::ScalarType type) {
   const auto leaf = [&](double value) {
-    return at::tensor(value, at::kFloat).to(type).detach().set_requires_grad(true);
+    return at::scalar_tensor(value, at::kFloat).to(type).detach().set_requires_grad(true);
   };
   const at::Tensor s = leaf(scale), x = leaf(0.137), y = leaf(-0.771);
   const at::Tensor planes = look_up(map, s, x, y, resolution, Neighbours::above_and_right);
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Scales, LookUpInOnePass, testing::Values(0.21, 0.93, 1.
 
 TEST(LookUpWithoutNeighbours, IsThePixelsAlone) {
   const MipMap map = make_mip_map(at::rand({1, 2, 64, 64}));
-  const at::Tensor scale = at::tensor(1.3F), x = at::tensor(0.2F), y = at::tensor(-0.4F);
+  const at::Tensor scale = at::scalar_tensor(1.3F), x = at::scalar_tensor(0.2F), y = at::scalar_tensor(-0.4F);
   const at::Tensor pixels = look_up(map, scale, x, y, 45, Neighbours::none);
   EXPECT_LT((pixels - without_neighbours(look_up(map, scale, x, y, 45))).abs().max().item<float>(), 1e-6F);
 }

@@ -52,14 +52,13 @@ class WoodInOnePass : public testing::Test {
     EXPECT_LT(difference(fused.value, reference.value), 1e-4);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       if (!reference.gradients[i].defined()) continue;
-      const double error =
-          fused.gradients[i].item<double>() - reference.gradients[i].item<double>();
+      const double error = fused.gradients[i].item<double>() - reference.gradients[i].item<double>();
       EXPECT_LT(std::abs(error), 2e-4 * summed(by_tensors, inputs, i)) << table_.continuous[i].name;
     }
   }
 
-  /// The sum of the magnitudes that a gradient by a parameter is the sum of, and half of a millionth for those
-  /// that are none: rings that come and go cancel out.
+  /// The sum of the magnitudes whose sum with their signs is the gradient by a parameter, for rings that come
+  /// and go cancel out; and a little more, so that it is above 0.
   template <class F>
   double summed(const F& field_of, Inputs inputs, std::size_t parameter) const {
     const at::Tensor here = inputs[parameter];
@@ -91,7 +90,8 @@ TEST_F(WoodInOnePass, EqualsTensorOperationsAtEveryProfileOfARing) {
 }
 
 TEST_F(WoodInOnePass, EqualsTensorOperationsAtEveryMixtureOfLevelsOfNoise) {
-  for (const auto& [scale, angle] : {std::pair{0.4, 20.0}, {11.0, 1.0}, {11.0, 20.0}, {40.0, 1.0}, {40.0, 88.0}, {3000.0, 88.0}})
+  for (const auto& [scale, angle] :
+       {std::pair{0.4, 20.0}, {11.0, 1.0}, {11.0, 20.0}, {40.0, 1.0}, {40.0, 88.0}, {3000.0, 88.0}})
     expect_as_by_tensors({{"ssn_scale", scale}, {"cut_angle", angle}, {"ssn_power", 0.7}});
   for (const double scale : {0.3, 9.0, 40.0, 3000.0}) expect_as_by_tensors({{"grn_scale", scale}});
 }
@@ -124,7 +124,8 @@ TEST_F(WoodInOnePass, OfAPlaceThatIsNoNumberIsNoneAndReadsNothingOutsideOfTheNoi
 
 TEST_F(WoodInOnePass, OfBlackWoodIsBlackWithANumberForItsGradient) {
   const at::Tensor black =
-      at::tensor(parameters({{"albedo_r", 0}, {"albedo_g", 0}, {"albedo_b", 0}, {"ssn_power", 0}}), at::kFloat)
+      at::tensor(parameters({{"albedo_r", 0}, {"albedo_g", 0}, {"albedo_b", 0}, {"ssn_power", 0}}),
+                 at::kFloat)
           .set_requires_grad(true);
   const WoodMaps made = wood_maps(black, noise_, grain(17, at::kFloat), 3);
   made.color.sum().backward();
