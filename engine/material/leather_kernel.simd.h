@@ -1,6 +1,4 @@
 // Read once for each target by each_target.h.
-#include "engine/material/over_pixels.simd.h"
-
 namespace patina::leather::PATINA_TARGET {
 namespace simd = patina::simd::PATINA_TARGET;
 namespace {
@@ -16,12 +14,21 @@ struct Raised {
 
 PATINA_INLINE Raised raised(const Relief& relief, const Lanes& cells) {
   const Lanes positive = simd::max(kDarkest - Lanes{}, cells), log = simd::log2(positive);
-  return {positive, log, simd::exp2(simd::clamp(log * relief.power, -126, 126))};
+  return {positive, log, simd::exp2_of_any(log * relief.power)};
 }
 
 /// Before it is clamped.
 PATINA_INLINE Lanes roughness_at(const Relief& relief, const Lanes& cells) {
   return relief.roughness + (1 - cells) * relief.roughness_variation;
+}
+
+/// Calls f(in_grid, pixel, count) for pixels [side, side] that lie in rows begin ... end - 1 of a grid with
+/// neighbours (look_up.h), [side + 1, side + 1]: where they are in either.
+template <class F>
+PATINA_INLINE void over_pixels(std::ptrdiff_t side, std::ptrdiff_t begin, std::ptrdiff_t end, const F& f) {
+  for (std::ptrdiff_t row = begin > 0 ? begin : 1; row < end; ++row)
+    for (std::ptrdiff_t column = 0; column < side; column += simd::kLanes)
+      f(row * (side + 1) + column, (row - 1) * side + column, simd::lanes_from(column, side));
 }
 
 }  // namespace
@@ -35,7 +42,7 @@ void finish(const Relief& relief, const Maps& maps, std::ptrdiff_t begin, std::p
     const Lanes noise = simd::load(maps.noise + i, count) * 2 - 1;
     simd::store(simd::clamp(relieved, 0, 1) + noise * relief.noise_scale, height + i, count);
   }
-  simd::over_pixels(
+  over_pixels(
       maps.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
         const Lanes rough = roughness_at(relief, simd::load(maps.cells + in_grid, count));
@@ -59,7 +66,7 @@ void finish_backward(const Relief& relief, const Maps& maps, std::ptrdiff_t begi
     sums[1] += by_log * r.log;
     sums[2] += given * (simd::load(maps.noise + i, count) * 2 - 1);
   }
-  simd::over_pixels(
+  over_pixels(
       maps.side, begin,
       end, [&](std::ptrdiff_t in_grid, std::ptrdiff_t pixel, int count) __attribute__((always_inline)) {
         const Lanes cells = simd::load(maps.cells + in_grid, count), rough = roughness_at(relief, cells);

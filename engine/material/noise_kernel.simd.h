@@ -15,9 +15,8 @@ struct Between {
 /// @param at  coordinates. One that is no number lies at 0, and stays none in its fraction.
 PATINA_INLINE Between between(const Lanes& at, const Axis& axis) {
   const Lanes in_values = at * axis.per_coordinate - (1 - axis.per_coordinate) / 2;
-  const Bits cut = __builtin_convertvector(in_values, Bits);
-  const Bits first = cut + (__builtin_convertvector(cut, Lanes) > in_values);  // true is -1
-  return {first & (axis.period - 1), in_values - __builtin_convertvector(first, Lanes)};
+  const Lanes whole = simd::floor(in_values);
+  return {__builtin_convertvector(whole, Bits) & (axis.period - 1), in_values - whole};
 }
 
 /// Linear interpolation, and its slope.

@@ -136,8 +136,7 @@ void finish(const Ring& ring, const Contrast& contrast, const Rows& rows, const 
         const Lanes power = simd::load(rows.exponent + pixel, count);
         for (std::size_t c = 0; c < 3; ++c) {
           const Lanes mixed = mixture(contrast, c, q);
-          simd::store(simd::exp2(simd::clamp(power * simd::log2(mixed), -126, 126)), to.color[c] + pixel,
-                      count);
+          simd::store(simd::exp2_of_any(power * simd::log2(mixed)), to.color[c] + pixel, count);
         }
         simd::store(simd::clamp(roughness(contrast, q), 0, 1), to.roughness + pixel, count);
       });

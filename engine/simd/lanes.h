@@ -198,6 +198,9 @@ PATINA_INLINE Lanes exp2(const Lanes& x) {
   return p;
 }
 
+/// 2^x, or the nearest power from 2^-126 to 2^126. What is no number stays none.
+PATINA_INLINE Lanes exp2_of_any(const Lanes& x) { return exp2(clamp(x, -126, 126)); }
+
 /// log2(x) for normal positive x; error below 2e-7 of the larger of |log2 x| and 1.
 PATINA_INLINE Lanes log2(const Lanes& x) {
   Bits bits;
