@@ -6,7 +6,6 @@
 #include <ATen/ops/zeros.h>
 
 #include "engine/material/flake_lobe.h"
-#include "engine/material/look_up.h"
 
 namespace patina {
 
@@ -30,9 +29,9 @@ Surface Flake::surface(const ParameterTensors& p, std::span<const int>, const Ir
   surface.base_color = p.run(16, 3).view({3, 1, 1});
   surface.height = at::zeros({1, 1}, constant).expand({resolution, resolution});
   surface.normal = at::tensor({0.0, 0.0, 1.0}, constant).view({3, 1, 1}).expand({3, resolution, resolution});
-  const at::Tensor flakes = look_up(z.flakes(), scale, shift_x, shift_y, resolution, Neighbours::none);
   surface.lobes = {{surface.normal, top_f0, top_rough, top_rough},
-                   flake_lobe(flakes, flake_ndf, flake_rough, weight * flake_f0),
+                   flake_lobe(z.flakes(), {scale, shift_x, shift_y},
+                              {flake_ndf, flake_rough, weight * flake_f0}, resolution),
                    {surface.normal, at::rsub(weight, 1) * glow_f0, glow_rough, glow_rough}};
   surface.light = p[0];
   surface.vignette_sigma = p[19];

@@ -2,6 +2,7 @@
 
 #include <ATen/core/Tensor.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace patina {
@@ -16,6 +17,9 @@ struct MipMap {
 
   const at::Tensor& finest() const { return levels.front(); }
 };
+
+/// Texels a side of a level without its border.
+std::int64_t period_of(const at::Tensor& level);
 
 /// @param map  [1, channels, size, size], size a power of two, at least 16: one period, without border
 MipMap make_mip_map(const at::Tensor& map);

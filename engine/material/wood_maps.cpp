@@ -3,15 +3,14 @@
 #include <ATen/ops/empty.h>
 #include <ATen/ops/tensor.h>
 #include <torch/csrc/autograd/custom_function.h>
-#include <torch/custom_class.h>
 
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "engine/material/image_planes.h"
+#include "engine/material/kept.h"
 #include "engine/material/pixel_blocks.h"
 #include "engine/material/wood_cut.h"
 
@@ -117,12 +116,6 @@ class Block {
   Buffer x_, y_, rings_, width_;
 };
 
-/// What the gradient needs beside tensors.
-struct Kept : torch::CustomClassHolder {
-  Cut cut;
-  explicit Kept(Cut of) : cut(std::move(of)) {}
-};
-
 struct Maps : torch::autograd::Function<Maps> {
   /// @param parameters  [kParameters]
   static variable_list forward(AutogradContext* context, const at::Tensor& parameters, const WoodNoise& noise,
@@ -130,24 +123,22 @@ struct Maps : torch::autograd::Function<Maps> {
     const std::int64_t n = grain.size(0) - 1;
     std::array<double, kParameters> values;
     std::copy_n(parameters.data_ptr<float>(), values.size(), values.begin());
-    const auto kept = c10::make_intrusive<Kept>(
-        Cut(numbers_of(values, noise, size_cm / static_cast<double>(n)), noise, size_cm, n));
+    const Cut cut(numbers_of(values, noise, size_cm / static_cast<double>(n)), noise, size_cm, n);
     const at::TensorOptions options = parameters.options();
     const at::Tensor exponent = at::empty({n, n}, options), color = at::empty({3, n, n}, options),
                      height = at::empty({n + 1, n + 1}, options), roughness = at::empty({n, n}, options);
     over_blocks(Block::count(n + 1), 1, [&](std::int64_t block, std::int64_t, std::int64_t) {
-      Block(kept->cut, block).draw(grain, exponent, color, height, roughness);
+      Block(cut, block).draw(grain, exponent, color, height, roughness);
     });
     context->save_for_backward({parameters, exponent, color});
-    context->saved_data["kept"] = at::IValue::make_capsule(kept);
+    context->saved_data["cut"] = keep(cut);
     return {color, height, roughness};
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const variable_list saved = context->get_saved_variables();
     const at::Tensor &parameters = saved[0], &exponent = saved[1], &color = saved[2];
-    const auto capsule = context->saved_data["kept"].toCapsule();
-    const Cut& cut = static_cast<const Kept*>(capsule.get())->cut;
+    const Cut& cut = kept<Cut>(context->saved_data["cut"]);
     const variable_list by{outputs[0].contiguous(), outputs[1].contiguous(), outputs[2].contiguous()};
     const std::vector<double> sums =
         sums_over_blocks(Block::count(cut.side() + 1), 1, cut.numbers().values.size(),

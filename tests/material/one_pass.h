@@ -4,6 +4,7 @@
 #include <ATen/ops/arange.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace patina {
@@ -45,6 +46,34 @@ void expect_same(const F& in_one_pass, const G& by_tensors, const std::vector<at
     if (!reference.gradients[i].defined() || reference.gradients[i].abs().max().item<double>() == 0) continue;
     ASSERT_TRUE(fused.gradients[i].defined()) << "input " << i;
     EXPECT_LT(difference(fused.gradients[i], reference.gradients[i]), tolerance) << "input " << i;
+  }
+}
+
+/// The sum of the magnitudes whose sum with their signs is a gradient by the scalar inputs[i], and a little
+/// more, so that it is above 0.
+template <class F>
+double summed_magnitudes(const F& field_of, std::vector<at::Tensor> inputs, std::size_t i) {
+  const at::Tensor here = inputs[i];
+  const double step = 1e-6 * (1 + std::abs(here.item<double>()));
+  inputs[i] = here + step;
+  const at::Tensor ahead = field_of(inputs);
+  inputs[i] = here - step;
+  const at::Tensor slope = ((ahead - field_of(inputs)) / (2 * step)).flatten();
+  return (slope * at::arange(slope.numel(), slope.options()).sin()).abs().sum().item<double>() + 5e-7;
+}
+
+/// As expect_same(), where all inputs are scalars: gradients may be sums of much that cancels out, which is
+/// what their errors are measured by.
+template <class F, class G>
+void expect_same_by_scalars(const F& in_one_pass, const G& by_tensors, const std::vector<at::Tensor>& inputs,
+                            double of_values = 1e-4) {
+  const Outcome fused = outcome_of(in_one_pass, inputs, at::kFloat),
+                reference = outcome_of(by_tensors, inputs, at::kDouble);
+  EXPECT_LT(difference(fused.value, reference.value), of_values);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!reference.gradients[i].defined()) continue;
+    const double error = fused.gradients[i].item<double>() - reference.gradients[i].item<double>();
+    EXPECT_LT(std::abs(error), 2e-4 * summed_magnitudes(by_tensors, inputs, i)) << "input " << i;
   }
 }
 

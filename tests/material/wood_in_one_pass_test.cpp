@@ -4,7 +4,6 @@
 #include <ATen/ops/tensor.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -45,29 +44,9 @@ class WoodInOnePass : public testing::Test {
     SCOPED_TRACE(what);
     Inputs inputs;
     for (const double value : parameters(but)) inputs.push_back(at::scalar_tensor(value, at::kDouble));
-    const auto by_tensors = [&](const Inputs& i) { return maps(wood_maps_by_tensors, i, n, size_cm); };
-    const Outcome fused =
-        outcome_of([&](const Inputs& i) { return maps(wood_maps, i, n, size_cm); }, inputs, at::kFloat);
-    const Outcome reference = outcome_of(by_tensors, inputs, at::kDouble);
-    EXPECT_LT(difference(fused.value, reference.value), 1e-4);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (!reference.gradients[i].defined()) continue;
-      const double error = fused.gradients[i].item<double>() - reference.gradients[i].item<double>();
-      EXPECT_LT(std::abs(error), 2e-4 * summed(by_tensors, inputs, i)) << table_.continuous[i].name;
-    }
-  }
-
-  /// The sum of the magnitudes whose sum with their signs is the gradient by a parameter, for rings that come
-  /// and go cancel out; and a little more, so that it is above 0.
-  template <class F>
-  double summed(const F& field_of, Inputs inputs, std::size_t parameter) const {
-    const at::Tensor here = inputs[parameter];
-    const double step = 1e-6 * (1 + std::abs(here.item<double>()));
-    inputs[parameter] = here + step;
-    const at::Tensor ahead = field_of(inputs);
-    inputs[parameter] = here - step;
-    const at::Tensor slope = (ahead - field_of(inputs)) / (2 * step);
-    return (slope * at::arange(slope.numel(), slope.options()).sin()).abs().sum().item<double>() + 5e-7;
+    expect_same_by_scalars([&](const Inputs& i) { return maps(wood_maps, i, n, size_cm); },
+                           [&](const Inputs& i) { return maps(wood_maps_by_tensors, i, n, size_cm); },
+                           inputs);
   }
 
   const ParameterTable table_ = make_material("wood")->table();
