@@ -57,7 +57,7 @@ using Bump = Lobes<kNormalPlanes, kLobe>;
 using RoughBump = Lobes<kNormalPlanes | 1 << 9, kLobe>;  // leather, plaster
 using Wood = Lobes<kColourPlanes | kNormalPlanes | 1 << 9, kLobe>;
 using Metal = Lobes<kNormalPlanes, kStretchedLobe>;
-using Translucent = Lobes<kColourPlanes | kNormalPlanes>;
+using Translucent = Lobes<kColourPlanes>;
 using Flake = Lobes<7 << 10 | 1 << 16, kLobe, LobeFields{10, 13, 16, 16},
                     LobeFields{ShadingProblem::kNormal, 17, 20, 20}>;
 
