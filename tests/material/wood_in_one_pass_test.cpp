@@ -80,6 +80,11 @@ TEST_F(WoodInOnePass, EqualsTensorOperationsWithinACellOfGnarlAndAcrossPeriods) 
     expect_as_by_tensors({{"gdn_scale", scale}, {"gdn_amplitude", 0.3}});
 }
 
+TEST_F(WoodInOnePass, EqualsTensorOperationsWhereBlocksOfRowsMeet) {
+  // Rings that bend from row to row, so that the step to the next one is not the step before.
+  expect_as_by_tensors({{"gdn_scale", 30}, {"gdn_amplitude", 0.3}}, 129);
+}
+
 TEST_F(WoodInOnePass, EqualsTensorOperationsWhereRoughnessIsCutOff) {
   expect_as_by_tensors({{"rough", 0.9}, {"ew_rough", 0.3}});
 }
