@@ -7,12 +7,14 @@
 #include <torch/csrc/autograd/custom_function.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "engine/material/flake_kernel.h"
 #include "engine/material/image_planes.h"
 #include "engine/material/kept.h"
 #include "engine/material/look_up_places.h"
+#include "engine/material/parameter_tensors.h"
 #include "engine/material/pixel_blocks.h"
 
 namespace patina {
@@ -23,23 +25,15 @@ using torch::autograd::variable_list;
 
 constexpr std::int64_t kRowsAtOnce = 8;
 
-double number(const at::Tensor& scalar) { return static_cast<double>(*scalar.data_ptr<float>()); }
-
 /// @param ndf, rough  as FlakeGloss has them
 flake::Gloss gloss_of(const at::Tensor& ndf, const at::Tensor& rough) {
-  const double n = number(ndf), r = number(rough);
+  const double n = number_of(ndf), r = number_of(rough);
   return {static_cast<float>(n * n), static_cast<float>(r * r * r * r)};
-}
-
-template <class Pointers>
-Pointers ahead(Pointers planes, std::int64_t by) {
-  for (auto& plane : planes) plane += by;
-  return planes;
 }
 
 /// From pixel `first` on.
 flake::Lobe lobe_of(const at::Tensor& normal, const at::Tensor& roughness, std::int64_t first) {
-  return {ahead(const_planes_of(normal), first), roughness.data_ptr<float>() + first};
+  return {from_pixel(const_planes_of(normal), first), roughness.data_ptr<float>() + first};
 }
 
 /// Normals and roughness.
@@ -47,17 +41,18 @@ struct FlakeLobe : torch::autograd::Function<FlakeLobe> {
   static variable_list forward(AutogradContext* context, const at::Tensor& scale, const at::Tensor& shift_x,
                                const at::Tensor& shift_y, const at::Tensor& ndf, const at::Tensor& rough,
                                const MipMap& map, std::int64_t n) {
-    const LookUpPlaces places(map, number(scale), number(shift_x), number(shift_y), n, Neighbours::none);
+    LookUpPlaces places(map, scale, shift_x, shift_y, n, Neighbours::none);
     const mip::Problem problem = places.problem();
     const at::Tensor flakes = at::empty({3, n, n}, scale.options()), normal = at::empty_like(flakes),
                      roughness = at::empty({n, n}, scale.options());
+    const flake::Gloss gloss = gloss_of(ndf, rough);
     over_blocks(n, kRowsAtOnce, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
       mip::look_up(problem, begin, end, flakes.data_ptr<float>());
-      flake::lobe(gloss_of(ndf, rough), const_planes_of(flakes), begin * n, end * n, planes_of(normal),
+      flake::lobe(gloss, const_planes_of(flakes), begin * n, end * n, planes_of(normal),
                   roughness.data_ptr<float>());
     });
     context->save_for_backward({ndf, rough, flakes, normal, roughness});
-    context->saved_data["places"] = keep(places);
+    context->saved_data["places"] = keep(std::move(places));
     return {normal, roughness};
   }
 
@@ -68,6 +63,7 @@ struct FlakeLobe : torch::autograd::Function<FlakeLobe> {
     const auto& places = kept<LookUpPlaces>(context->saved_data["places"]);
     const at::Tensor by_normal = outputs[0].contiguous(), by_roughness = outputs[1].contiguous();
     const std::int64_t n = places.rows();
+    const flake::Gloss gloss = gloss_of(ndf, rough);
     std::vector<float> by_rows(static_cast<std::size_t>(n));
     std::vector<mip::Gradient> blocks;
     for (std::int64_t row = 0; row < n; row += kRowsAtOnce)
@@ -77,7 +73,7 @@ struct FlakeLobe : torch::autograd::Function<FlakeLobe> {
           const std::int64_t first = begin * n, pixels = (end - begin) * n;
           std::vector<float> by_flakes(static_cast<std::size_t>(3 * pixels));
           float* by = by_flakes.data();
-          flake::lobe_backward(gloss_of(ndf, rough), ahead(const_planes_of(flakes), first),
+          flake::lobe_backward(gloss, from_pixel(const_planes_of(flakes), first),
                                lobe_of(normal, roughness, first), lobe_of(by_normal, by_roughness, first), 0,
                                pixels, {by, by + pixels, by + 2 * pixels}, sums);
           mip::look_up_backward(places.problem(begin, end), 0, end - begin, by,
@@ -85,10 +81,10 @@ struct FlakeLobe : torch::autograd::Function<FlakeLobe> {
         });
 
     const std::array<double, 3> by_place = places.gradient(blocks, by_rows);
-    const double r = number(rough);
+    const double r = number_of(rough);
     variable_list gradient;
-    for (const double by :
-         {by_place[0], by_place[1], by_place[2], by_gloss[0] * 2 * number(ndf), by_gloss[1] * 4 * r * r * r})
+    for (const double by : {by_place[0], by_place[1], by_place[2], by_gloss[0] * 2 * number_of(ndf),
+                            by_gloss[1] * 4 * r * r * r})
       gradient.push_back(at::scalar_tensor(by, ndf.options()));
     gradient.resize(7);  // nothing for what are no tensors
     return gradient;

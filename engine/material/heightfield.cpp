@@ -104,9 +104,7 @@ struct Normals : torch::autograd::Function<Normals> {
 
  private:
   static Planes planes_at(const at::Tensor& normal, std::int64_t row) {
-    Planes planes = planes_of(normal);
-    for (float*& plane : planes) plane += row * normal.size(2);
-    return planes;
+    return from_pixel(planes_of(normal), row * normal.size(2));
   }
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 #include <vector>
 
 #include "engine/material/kept.h"
@@ -54,17 +55,14 @@ struct LookUp : torch::autograd::Function<LookUp> {
   static at::Tensor forward(AutogradContext* context, const at::Tensor& scale, const at::Tensor& shift_x,
                             const at::Tensor& shift_y, const MipMap& map, std::int64_t n,
                             Neighbours neighbours) {
-    const auto number = [](const at::Tensor& scalar) {
-      return static_cast<double>(*scalar.data_ptr<float>());
-    };
-    const LookUpPlaces places(map, number(scale), number(shift_x), number(shift_y), n, neighbours);
+    LookUpPlaces places(map, scale, shift_x, shift_y, n, neighbours);
     const mip::Problem problem = places.problem();
     const at::Tensor planes =
         at::empty({problem.channels, problem.rows(), problem.columns()}, scale.options());
     at::parallel_for(0, problem.rows(), kRowsAtOnce, [&](std::int64_t begin, std::int64_t end) {
       mip::look_up(problem, begin, end, planes.data_ptr<float>());
     });
-    context->saved_data["places"] = keep(places);
+    context->saved_data["places"] = keep(std::move(places));
     return planes;
   }
 

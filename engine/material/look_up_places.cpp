@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/material/parameter_tensors.h"
+
 namespace patina {
 
 LevelShares level_shares(double level, std::size_t levels) {
@@ -13,14 +15,14 @@ LevelShares level_shares(double level, std::size_t levels) {
   return {finer, at - static_cast<double>(finer)};
 }
 
-LookUpPlaces::LookUpPlaces(const MipMap& map, double scale, double shift_x, double shift_y, std::int64_t n,
-                           Neighbours neighbours)
-    : scale_(scale) {
+LookUpPlaces::LookUpPlaces(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
+                           const at::Tensor& shift_y, std::int64_t n, Neighbours neighbours)
+    : scale_(number_of(scale)) {
   const bool more = neighbours == Neighbours::above_and_right;
   x_ = axis(shift_x, n, 0, more ? n + 1 : n);
   y_ = axis(shift_y, n, more ? -1 : 0, more ? n + 1 : n);
   const double texels_per_pixel =
-      scale * static_cast<double>(period_of(map.finest())) / static_cast<double>(n);
+      scale_ * static_cast<double>(period_of(map.finest())) / static_cast<double>(n);
   const LevelShares shares =
       level_shares(std::log2(texels_per_pixel) + kLevelOfATexelAPixel, map.levels.size());
   levels_.push_back(map.levels[shares.finer]);
@@ -30,27 +32,24 @@ LookUpPlaces::LookUpPlaces(const MipMap& map, double scale, double shift_x, doub
   weights_.push_back(static_cast<float>(shares.coarser));
 }
 
-LookUpPlaces::Axis LookUpPlaces::axis(double shift, std::int64_t n, std::int64_t first, std::int64_t count) {
+LookUpPlaces::Axis LookUpPlaces::axis(const at::Tensor& shift, std::int64_t n, std::int64_t first,
+                                      std::int64_t count) const {
   Axis axis;
-  for (std::int64_t i = first; i < first + count; ++i)
-    axis.from_middle.push_back((static_cast<double>(i) + 0.5) * 2 / static_cast<double>(n) - 1 + shift);
-  return axis;
-}
-
-std::vector<float> LookUpPlaces::Axis::places(double scale, std::int64_t begin, std::int64_t end) const {
-  std::vector<float> at;
-  for (std::int64_t i = begin; i < end; ++i) {
-    const double periods = (from_middle[static_cast<std::size_t>(i)] * scale + 1) / 2;
-    at.push_back(static_cast<float>(2 * (periods - std::floor(periods))));
+  for (std::int64_t i = first; i < first + count; ++i) {
+    const double from_middle =
+        (static_cast<double>(i) + 0.5) * 2 / static_cast<double>(n) - 1 + number_of(shift);
+    const double periods = (from_middle * scale_ + 1) / 2;
+    axis.from_middle.push_back(from_middle);
+    axis.places.push_back(static_cast<float>(2 * (periods - std::floor(periods))));
   }
-  return at;
+  return axis;
 }
 
 mip::Problem LookUpPlaces::problem(std::int64_t begin, std::int64_t end) const {
   mip::Problem problem{{},
                        static_cast<int>(levels_.front().size(1)),
-                       x_.places(scale_, 0, static_cast<std::int64_t>(x_.from_middle.size())),
-                       y_.places(scale_, begin, end)};
+                       x_.places,
+                       {y_.places.begin() + begin, y_.places.begin() + end}};
   for (std::size_t l = 0; l < levels_.size(); ++l)
     problem.levels.push_back(
         {levels_[l].data_ptr<float>(), static_cast<int>(levels_[l].size(2)), weights_[l]});

@@ -23,8 +23,9 @@ LevelShares level_shares(double level, std::size_t levels);
 /// A look-up (look_up.h) as loops over its pixels read it, and what its gradient needs.
 class LookUpPlaces {
  public:
-  LookUpPlaces(const MipMap& map, double scale, double shift_x, double shift_y, std::int64_t n,
-               Neighbours neighbours);
+  /// @param scale, shift_x, shift_y  scalars, float32
+  LookUpPlaces(const MipMap& map, const at::Tensor& scale, const at::Tensor& shift_x,
+               const at::Tensor& shift_y, std::int64_t n, Neighbours neighbours);
 
   std::int64_t rows() const { return static_cast<std::int64_t>(y_.from_middle.size()); }
   mip::Problem problem() const { return problem(0, rows()); }
@@ -39,13 +40,12 @@ class LookUpPlaces {
                                  const std::vector<float>& by_rows) const;
 
  private:
-  /// Columns or rows: where they are in the image and its shift, before `scale` stretches that.
+  /// Columns or rows.
   struct Axis {
-    std::vector<double> from_middle;
-    /// In [0, 2), one period.
-    std::vector<float> places(double scale, std::int64_t begin, std::int64_t end) const;
+    std::vector<double> from_middle;  ///< in the image and its shift, before `scale` stretches that
+    std::vector<float> places;        ///< in [0, 2), one period
   };
-  static Axis axis(double shift, std::int64_t n, std::int64_t first, std::int64_t count);
+  Axis axis(const at::Tensor& shift, std::int64_t n, std::int64_t first, std::int64_t count) const;
 
   double scale_;
   Axis x_, y_;

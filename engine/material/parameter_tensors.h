@@ -8,6 +8,9 @@
 
 namespace patina {
 
+/// @param scalar  float32
+inline double number_of(const at::Tensor& scalar) { return static_cast<double>(*scalar.data_ptr<float>()); }
+
 /// The continuous parameters of a material in the table's order, each a scalar tensor of its own: gradients
 /// flow to those that ask for one, and for the others no graph is built.
 class ParameterTensors {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/material/image_planes.h"
@@ -50,7 +51,7 @@ class Block {
             const at::Tensor& height, const at::Tensor& roughness) const {
     noise::streaks(streaks(), rows_ - first_, exponent.data_ptr<float>() + pixel());
     finish(cut_.ring(), cut_.contrast(), rows(exponent), {grain.data_ptr<float>() + place(), kGrainHeight},
-           {at_pixel(patina::planes_of(color)), height.data_ptr<float>() + place(),
+           {from_pixel(patina::planes_of(color), pixel()), height.data_ptr<float>() + place(),
             roughness.data_ptr<float>() + pixel()});
   }
 
@@ -59,8 +60,8 @@ class Block {
                      double* sums) const {
     std::vector<float> by_rings(size(seen_)), by_x(size(seen_)), by_y(size(seen_));
     const Buffer by_width = buffer(rows_), by_exponent = buffer(rows_);
-    finish_backward(cut_.ring(), cut_.contrast(), rows(exponent), at_pixel(const_planes_of(color)),
-                    {at_pixel(const_planes_of(by[0])), by[1].data_ptr<float>() + place(),
+    finish_backward(cut_.ring(), cut_.contrast(), rows(exponent), from_pixel(const_planes_of(color), pixel()),
+                    {from_pixel(const_planes_of(by[0]), pixel()), by[1].data_ptr<float>() + place(),
                      by[2].data_ptr<float>() + pixel()},
                     {by_rings.data(), by_width.get(), by_exponent.get(), sums + kRing, sums + kContrast});
     ring_widths_backward(field(), rows_, width_.get(), by_width.get(), by_rings.data());
@@ -98,11 +99,6 @@ class Block {
 
   std::int64_t place() const { return begin_ * columns_; }
   std::int64_t pixel() const { return (begin_ - 1 + first_) * cut_.side(); }
-  template <class Pointers>
-  Pointers at_pixel(Pointers planes) const {
-    for (auto& plane : planes) plane += pixel();
-    return planes;
-  }
   RingField field() const { return {rings_.get(), seen_, columns_}; }
   noise::Streaks streaks() const {
     return cut_.streaks(x_.get() + first_ * columns_, y_.get() + first_ * columns_);
@@ -123,21 +119,21 @@ struct Maps : torch::autograd::Function<Maps> {
     const std::int64_t n = grain.size(0) - 1;
     std::array<double, kParameters> values;
     std::copy_n(parameters.data_ptr<float>(), values.size(), values.begin());
-    const Cut cut(numbers_of(values, noise, size_cm / static_cast<double>(n)), noise, size_cm, n);
+    Cut cut(numbers_of(values, noise, size_cm / static_cast<double>(n)), noise, size_cm, n);
     const at::TensorOptions options = parameters.options();
     const at::Tensor exponent = at::empty({n, n}, options), color = at::empty({3, n, n}, options),
                      height = at::empty({n + 1, n + 1}, options), roughness = at::empty({n, n}, options);
     over_blocks(Block::count(n + 1), 1, [&](std::int64_t block, std::int64_t, std::int64_t) {
       Block(cut, block).draw(grain, exponent, color, height, roughness);
     });
-    context->save_for_backward({parameters, exponent, color});
-    context->saved_data["cut"] = keep(cut);
+    context->save_for_backward({exponent, color});
+    context->saved_data["cut"] = keep(std::move(cut));
     return {color, height, roughness};
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const variable_list saved = context->get_saved_variables();
-    const at::Tensor &parameters = saved[0], &exponent = saved[1], &color = saved[2];
+    const at::Tensor &exponent = saved[0], &color = saved[1];
     const Cut& cut = kept<Cut>(context->saved_data["cut"]);
     const variable_list by{outputs[0].contiguous(), outputs[1].contiguous(), outputs[2].contiguous()};
     const std::vector<double> sums =
@@ -147,7 +143,7 @@ struct Maps : torch::autograd::Function<Maps> {
                          });
     const std::array<double, kParameters> gradient = by_parameters(cut.numbers(), sums);
     return {
-        at::tensor(at::ArrayRef<double>(gradient.data(), gradient.size()), parameters.options()), {}, {}, {}};
+        at::tensor(at::ArrayRef<double>(gradient.data(), gradient.size()), exponent.options()), {}, {}, {}};
   }
 };
 
