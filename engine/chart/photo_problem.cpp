@@ -66,14 +66,17 @@ ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed
           std::move(found.laplace)};
 }
 
-Emulation PhotoProblem::emulate(const ChartSetting&, const Position& mode, const Metric& laplace,
-                                std::uint64_t seed, const std::function<void()>& evaluated) const {
-  return patina::emulate(*posterior_, mode, laplace,
+Emulation PhotoProblem::emulate(const ChartSetting&, const std::vector<ChainState>& starts,
+                                const Metric& laplace, std::uint64_t seed,
+                                const std::function<void()>& evaluated) const {
+  return patina::emulate(*posterior_, starts, laplace,
                          {.threads = hardware_threads(),
                           .seed = seed,
                           .enter_thread = [] { use_tensor_threads(1); },
                           .evaluated = evaluated});
 }
+
+std::vector<Eigen::Index> PhotoProblem::informed() const { return posterior_->informed(); }
 
 Eigen::VectorXd PhotoProblem::values(const Position& position) const {
   const ParameterValues values = posterior_->values(position);

@@ -24,8 +24,9 @@ class PhotoProblem final : public ChartProblem {
   std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override;
   Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                const std::function<void()>& simulated) const override;
-  Emulation emulate(const ChartSetting& setting, const Position& mode, const Metric& laplace,
+  Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts, const Metric& laplace,
                     std::uint64_t seed, const std::function<void()>& evaluated) const override;
+  std::vector<Eigen::Index> informed() const override;
   Eigen::VectorXd values(const Position& position) const override;
   void use_threads(int count) const override;
 

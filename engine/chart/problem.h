@@ -40,10 +40,12 @@ class ChartProblem {
   virtual Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                        const std::function<void()>& simulated) const;
 
-  /// An emulator of the target, where a setting's kernel proposes by one.
+  /// An emulator of the target's informed coordinates, where a setting's kernel proposes by one: emulate().
   /// @param evaluated  called after each evaluation, from any thread; what it throws ends them
-  virtual Emulation emulate(const ChartSetting& setting, const Position& mode, const Metric& laplace,
-                            std::uint64_t seed, const std::function<void()>& evaluated) const;
+  virtual Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts,
+                            const Metric& laplace, std::uint64_t seed,
+                            const std::function<void()>& evaluated) const;
+  virtual std::vector<Eigen::Index> informed() const { return {}; }
 
   /// The continuous quantities at a position, in their own units.
   virtual Eigen::VectorXd values(const Position& position) const = 0;

@@ -144,7 +144,7 @@ ChartSetting default_setting(bool has_jagged, bool can_emulate) {
   setting.errors = run.errors;
   setting.precision = run.precision;
   setting.chains = run.chains;
-  setting.warmup = run.warmup.value_or(usual_warmup(has_jagged));
+  setting.warmup = run.warmup.value_or(usual_warmup(has_jagged && !can_emulate));
   setting.alpha = run.alpha;
   setting.refresh = run.refresh.value_or(usual_refresh(has_jagged));
   setting.path_length = run.path_length;

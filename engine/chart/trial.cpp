@@ -134,10 +134,13 @@ class Running {
   std::unique_ptr<Kernel> kernel(const LogDensity& target, const ChainState& mode, const Metric& laplace) {
     if (setting_.proposals != 0) return two_stage();
     if (setting_.kernel != kEmulated) return problem_.kernel(setting_, target);
+    const std::vector<ChainState> starts = emulator_starts(target, mode, basins_, laplace, plan_.seed,
+                                                           plan_.threads, [&] { problem_.use_threads(1); });
     const Emulation made =
-        problem_.emulate(setting_, mode.position, laplace, plan_.seed, [&] { meter_.count(false); });
-    if (made.emulator && !misses_one(*made.emulator, mode, basins_))
-      return make_emulated_kernel(*made.emulator, target, setting_.path_length);
+        problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
+    const std::vector<Eigen::Index> informed = problem_.informed();
+    if (made.emulator && (has_jagged(target) || !misses_one(*made.emulator, informed, mode, basins_)))
+      return make_emulated_kernel(*made.emulator, informed, target, setting_.path_length);
     ChartSetting hmc = setting_;
     hmc.kernel = "hmc";
     return problem_.kernel(hmc, target);

@@ -97,8 +97,8 @@ void FitOptions::add_model(CLI::App& command) {
 
 void FitOptions::add_sampler(CLI::App& command) {
   add(command, "--kernel", &RunSettings::kernel,
-      "Transition of the chains: mh, mala, hmc, nuts, emulated, whose proposals need no renders (smooth "
-      "materials: bump, metal, translucent), or auto: emulated where that can be, else hmc");
+      "Transition of the chains: mh, mala, hmc, nuts, emulated, whose proposals need no renders, or auto: "
+      "emulated where renders follow polynomials about the match, else hmc");
   add(command, "--metric", &RunSettings::metric,
       "Covariance that warm-up learns: identity, diagonal, dense, curved");
   add(command, "--alpha", &RunSettings::alpha,

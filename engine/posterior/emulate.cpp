@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 #include <vector>
 
+#include "engine/posterior/informed_density.h"
+#include "engine/posterior/known_residuals.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
 #include "engine/sampling/rng.h"
 #include "engine/sampling/sample.h"
 #include "engine/sampling/tempering.h"
@@ -15,107 +18,54 @@ namespace patina {
 namespace {
 
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search's and the chains'
-constexpr double kSpread = 1.2;                         // of the first round, Laplace's sds
-constexpr int kRound = 60;                              // evaluations of every further one
-constexpr double kBeta = 0.5;                           // of these, inverse temperature
 
-class Learner {
+constexpr int kMovesAProposal = 50;
+constexpr double kProposing = 0.8;  // share of the proposals
+constexpr double kPathLength = 1.5;
+constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
+constexpr double kAlpha = 0.9;     // continuous moves, where there are levels
+constexpr double kWideBeta = 0.5;  // inverse temperature of what spreads further than the posterior
+
+/// What an emulator takes the target for, a little softened, and the kernel that proposes by it.
+class Proposals {
  public:
-  Learner(const Posterior& posterior, const EmulateSettings& settings)
-      : posterior_(posterior),
-        settings_(settings),
-        observed_(posterior.photo_summary().cwiseQuotient(posterior.hand_set_errors())) {}
+  Proposals(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target)
+      : emulator_(emulator.softened(kSoftness)), density_(emulator_, informed, target) {}
+  Proposals(const Proposals&) = delete;  // its density refers to it
+  Proposals& operator=(const Proposals&) = delete;
 
-  EmulatorExamples evaluate(const Eigen::MatrixXd& places) const {
-    EmulatorExamples examples{places, Eigen::MatrixXd(observed_.size(), places.cols())};
-    const auto work = [&](std::size_t i) {
-      const auto column = static_cast<Eigen::Index>(i);
-      const Position position{places.col(column), Eigen::VectorXi()};
-      examples.residuals.col(column) = posterior_.predicted(position) - observed_;
-      if (settings_.evaluated) settings_.evaluated();
-    };
-    parallel_for(static_cast<std::size_t>(places.cols()), settings_.threads, work, settings_.enter_thread);
-    return examples;
+  std::unique_ptr<Kernel> kernel(double path_length) const {
+    constexpr bool kJagged = false;
+    auto hmc = make_kernel("hmc", density_, kAlpha, usual_refresh(kJagged), "joint", path_length);
+    return make_two_stage(std::move(hmc), density_, kMovesAProposal);
   }
 
  private:
-  const Posterior& posterior_;
-  const EmulateSettings& settings_;
-  Eigen::VectorXd observed_;
+  Emulator emulator_;
+  InformedDensity density_;
 };
 
-Eigen::MatrixXd about(const Position& mode, const Metric& laplace, Eigen::Index count, Rng& rng) {
-  Eigen::MatrixXd places(mode.continuous.size(), count);
-  for (auto place : places.colwise())
-    place = mode.continuous + kSpread * laplace.colour(rng.normals(mode.continuous.size()));
-  return places;
+/// Moves of the target that need no gradient, along jagged coordinates as well.
+std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
+  auto walk = make_straightened(
+      make_mixture(make_random_walk(), make_refresh_move(), 1 - usual_refresh(has_jagged(target))));
+  if (target.discrete_levels().empty()) return walk;
+  return make_mixture(std::move(walk), make_discrete_move(), kAlpha);
 }
 
-constexpr int kMovesAProposal = 50;
-constexpr double kProposing = 0.8;  // share of the proposals; the others are random walks
-constexpr double kPathLength = 1.5;
-constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
-
-/// HMC, and refresh moves.
-std::unique_ptr<Kernel> kernel_of(const std::string& name, const LogDensity& target, double path_length) {
-  return make_kernel(name, target, 1, usual_refresh(/*has_jagged=*/false), "joint", path_length);
-}
-
-/// So many draws, hardly depending on each other, of the prior and the root of the emulated likelihood: were
-/// they of the emulator itself, it would never learn of tails that it thinks too little of, and a chain that
-/// comes there would be kept there by the posterior.
-Eigen::MatrixXd draws_of(const Emulator& emulator, const Position& start, const Metric& metric, int count,
-                         std::uint64_t seed) {
-  constexpr int kChains = 4, kApart = 10;
-  SampleSettings settings;
-  settings.chains = kChains;
-  settings.warmup = 300;
-  settings.draws = kApart * count / kChains;
-  settings.seed = seed;
-  settings.noise_repeats = 0;
-  const TemperedDensity wide(emulator, kBeta);
-  const auto kernel = kernel_of("hmc", wide, kPathLength);
-  const Sample sample = patina::sample(
-      wide, *kernel, settings, [&](Rng&) { return start; }, metric);
-  Eigen::MatrixXd draws(emulator.dimension(), count);
-  for (Eigen::Index i = 0; i < draws.rows(); ++i)
-    for (Eigen::Index j = 0; j < count; ++j)
-      draws(i, j) = sample.coordinates[static_cast<std::size_t>(i)]((j / kChains) * kApart, j % kChains);
-  return draws;
-}
-
-/// Those that are not hopelessly far from the best, but at least so many: the others would only bend
-/// polynomials where they are wanted.
-EmulatorExamples worth_learning(const EmulatorExamples& examples, Eigen::Index least) {
-  constexpr double kFar = 5;  // nats a coordinate
-  const Eigen::VectorXd energies =
-      (examples.places.colwise().squaredNorm() + examples.residuals.colwise().squaredNorm()) / 2;
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(examples.count()));
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return energies[i]; });
-  const double far = energies[order.front()] + kFar * static_cast<double>(examples.places.rows());
-  while (std::ssize(order) > least && energies[order.back()] > far) order.pop_back();
-  return {examples.places(Eigen::all, order), examples.residuals(Eigen::all, order)};
-}
-
-/// Standard deviation of what the emulator's log densities are off by, a constant apart.
-double error_of(const Emulator& emulator, const EmulatorExamples& fresh) {
-  Eigen::VectorXd errors(fresh.count());
-  for (Eigen::Index i = 0; i < errors.size(); ++i) {
-    const Position position{fresh.places.col(i), Eigen::VectorXi()};
-    const double exact = -position.continuous.squaredNorm() / 2 - fresh.residuals.col(i).squaredNorm() / 2;
-    errors[i] = exact - emulator.evaluate(position).log_density;
-  }
-  return std::sqrt((errors.array() - errors.mean()).square().mean());
+/// What leads on where the emulator knows little. Where there are pits, which jagged targets have, gradients
+/// lead out of them: chains of flake_4 that began in one had left it after a minute, and not without.
+std::unique_ptr<Kernel> way_out_of(const LogDensity& target, double path_length) {
+  if (!has_jagged(target)) return walk_of(target);
+  return make_kernel("hmc", target, kAlpha, usual_refresh(/*has_jagged=*/true), "joint", path_length);
 }
 
 class EmulatedKernel final : public Kernel {
  public:
-  EmulatedKernel(const Emulator& emulator, const LogDensity& target, double path_length)
-      : proposals_(emulator.softened(kSoftness)),
-        kernel_(make_mixture(
-            make_two_stage(kernel_of("hmc", proposals_, path_length), proposals_, kMovesAProposal),
-            kernel_of("mh", target, path_length), kProposing)) {}
+  EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
+                 const LogDensity& target, double path_length)
+      : proposals_(emulator, informed, target),
+        kernel_(make_mixture(proposals_.kernel(path_length), way_out_of(target, path_length), kProposing)) {}
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
@@ -124,26 +74,250 @@ class EmulatedKernel final : public Kernel {
   double target_acceptance() const override { return kernel_->target_acceptance(); }
 
  private:
-  Emulator proposals_;
+  Proposals proposals_;
   std::unique_ptr<Kernel> kernel_;
+};
+
+/// Evaluations of a posterior with their residuals, in order.
+struct Evaluated {
+  std::vector<Eigen::VectorXd> places;  ///< informed coordinates
+  std::vector<Eigen::VectorXd> residuals;
+};
+
+/// A posterior that keeps what it is asked; without gradients. For one thread.
+class RecordingDensity final : public LogDensity {
+ public:
+  RecordingDensity(const Posterior& posterior, const std::vector<Eigen::Index>& informed,
+                   const Eigen::VectorXd& observed, const std::function<void()>& evaluated, Evaluated& record)
+      : posterior_(posterior),
+        informed_(informed),
+        observed_(observed),
+        evaluated_(evaluated),
+        record_(record) {}
+
+  Eigen::Index dimension() const override { return posterior_.dimension(); }
+  std::vector<int> discrete_levels() const override { return posterior_.discrete_levels(); }
+  std::vector<bool> jagged() const override { return posterior_.jagged(); }
+
+  Evaluation evaluate(const Position& position) const override {
+    if (!position.continuous.allFinite()) return {-INFINITY, {}};
+    Eigen::VectorXd residual = posterior_.predicted(position) - observed_;
+    if (evaluated_) evaluated_();
+    const double squares = residual.squaredNorm();
+    if (!std::isfinite(squares)) return {-INFINITY, {}};
+    record_.places.emplace_back(position.continuous(informed_));
+    record_.residuals.push_back(std::move(residual));
+    return {-(position.continuous.squaredNorm() + squares) / 2, {}};
+  }
+
+ private:
+  const Posterior& posterior_;
+  const std::vector<Eigen::Index>& informed_;
+  const Eigen::VectorXd& observed_;
+  const std::function<void()>& evaluated_;
+  Evaluated& record_;
+};
+
+/// A chain of the posterior that comes along while the emulator learns.
+struct Walker {
+  ChainState state;
+  Rng rng;
+  Evaluated record = {};
+  double taken = 0;  ///< of its last proposals, the sum of the probabilities
+};
+
+class Learner {
+ public:
+  Learner(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
+          const EmulateSettings& settings)
+      : posterior_(posterior),
+        settings_(settings),
+        mode_(starts.front().position.continuous),
+        metric_(std::make_shared<const Metric>(laplace)),
+        informed_(posterior.informed()),
+        informed_laplace_(laplace.covariance()(informed_, informed_)),
+        observed_(posterior.photo_summary().cwiseQuotient(posterior.hand_set_errors())),
+        first_(2 * Emulator::monomials(std::ssize(informed_))),
+        most_(settings.most > 0       ? settings.most
+              : has_jagged(posterior) ? kMostJagged
+                                      : kMostSmooth),
+        rng_(settings.seed, kEmulatorStream) {
+    std::vector<TruncatedNormal> priors;
+    for (const Eigen::Index i : informed_)
+      priors.push_back(posterior.free_priors()[static_cast<std::size_t>(i)]);
+    axes_ =
+        LogParameters::about(priors, mode_(informed_), informed_laplace_.covariance().diagonal().cwiseSqrt());
+    for (int k = 0; k < kEmulatorWalkers; ++k)
+      walkers_.push_back({starts[static_cast<std::size_t>(k) % starts.size()], Rng(rng_(), k)});
+  }
+
+  Emulation learn() {
+    evaluate(about_the_mode());
+    fit();
+    Emulation result;
+    for (double before = 0;; before = result.taken) {
+      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
+      if (known_.count() + more > most_) break;
+      const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
+      evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers));
+      result.taken = walk(steps);
+      fit();
+      fprintf(stderr, "known %ld taken %.2f\n", (long)known_.count(), result.taken);
+      if (std::min(before, result.taken) >= settings_.good) break;  // once may be luck
+    }
+    result.evaluations = static_cast<int>(known_.count());
+    if (result.taken >= settings_.poor) result.emulator = std::move(emulator_);
+    return result;
+  }
+
+ private:
+  static constexpr Eigen::Index kLeastRound = 60, kMostSmooth = 600, kMostJagged = 3000;  // evaluations
+
+  /// At informed coordinates; those of places and levels are drawn from their prior for each.
+  void evaluate(const Eigen::MatrixXd& places) {
+    const std::uint64_t seed = rng_();
+    std::vector<Evaluated> records(static_cast<std::size_t>(places.cols()));
+    const auto work = [&](std::size_t i) {
+      Rng rng(seed, i);
+      Position position = prior_draw(posterior_, rng);
+      position.continuous(informed_) = places.col(static_cast<Eigen::Index>(i));
+      recording(records[i]).evaluate(position);
+    };
+    parallel_for(records.size(), settings_.threads, work, settings_.enter_thread);
+    for (const Evaluated& record : records) add(record);
+  }
+
+  RecordingDensity recording(Evaluated& record) const {
+    return {posterior_, informed_, observed_, settings_.evaluated, record};
+  }
+
+  void fit() { emulator_ = Emulator(known_.worth_learning(first_), axes_); }
+
+  Eigen::MatrixXd about_the_mode() {
+    constexpr double kSpread = 1.2;  // Laplace's sds
+    Eigen::MatrixXd places(std::ssize(informed_), first_);
+    for (auto place : places.colwise())
+      place = mode_(informed_) + kSpread * informed_laplace_.colour(rng_.normals(place.size()));
+    return places;
+  }
+
+  /// So many draws, hardly depending on each other, of the prior and the root of the emulated likelihood:
+  /// were they of the emulator itself, it would never learn of tails that it thinks too little of.
+  Eigen::MatrixXd softened_draws(int count) {
+    constexpr int kChains = 4, kApart = 10;
+    SampleSettings settings;
+    settings.chains = kChains;
+    settings.warmup = 300;
+    settings.draws = kApart * ((count + kChains - 1) / kChains);
+    settings.seed = rng_();
+    settings.noise_repeats = 0;
+    settings.threads = settings_.threads;
+    const TemperedDensity wide(emulator_, kWideBeta);
+    const auto kernel =
+        make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
+    const Sample sample = patina::sample(
+        wide, *kernel, settings,
+        [&](Rng&) {
+          return Position{mode_(informed_), {}};
+        },
+        informed_laplace_);
+    metric_ = with_informed(pooled(sample));
+    Eigen::MatrixXd draws(std::ssize(informed_), count);
+    for (Eigen::Index i = 0; i < draws.rows(); ++i)
+      for (Eigen::Index j = 0; j < count; ++j)
+        draws(i, j) = sample.coordinates[static_cast<std::size_t>(i)]((j / kChains) * kApart, j % kChains);
+    return draws;
+  }
+
+  /// Of all draws, which the inverse temperature has spread.
+  static Eigen::MatrixXd pooled(const Sample& wide) {
+    const Eigen::Index d = std::ssize(wide.coordinates);
+    Eigen::MatrixXd all(wide.log_density.size(), d);
+    for (Eigen::Index i = 0; i < d; ++i)
+      all.col(i) = wide.coordinates[static_cast<std::size_t>(i)].reshaped();
+    all.rowwise() -= all.colwise().mean().eval();
+    return kWideBeta / static_cast<double>(all.rows()) * all.transpose() * all;
+  }
+
+  /// The walkers' metric with that covariance of the informed coordinates.
+  std::shared_ptr<const Metric> with_informed(const Eigen::MatrixXd& covariance) const {
+    Eigen::MatrixXd whole = metric_->covariance().diagonal().asDiagonal();
+    whole(informed_, informed_) =
+        covariance + 1e-6 * Eigen::MatrixXd::Identity(covariance.rows(), covariance.rows());
+    return std::make_shared<const Metric>(whole);
+  }
+
+  /// Every third step of a walker is a proposal. @return the share of these that were taken
+  double walk(int steps) {
+    const Proposals proposals(emulator_, informed_, posterior_);
+    const auto proposal = proposals.kernel(kPathLength), walk = walk_of(posterior_);
+    const KernelSettings settings{.metric = metric_};
+    const auto work = [&](std::size_t k) {
+      Walker& walker = walkers_[k];
+      walker.record = {};
+      walker.taken = 0;
+      const RecordingDensity target = recording(walker.record);
+      for (int i = 0; i < steps; ++i) {
+        const bool proposes = i % 3 == 0;
+        const TransitionInfo info =
+            (proposes ? *proposal : *walk).step(target, settings, walker.state, walker.rng);
+        if (proposes) walker.taken += info.second_stage;
+      }
+    };
+    parallel_for(walkers_.size(), settings_.threads, work, settings_.enter_thread);
+    double taken = 0;
+    for (const Walker& walker : walkers_) {
+      add(walker.record);
+      taken += walker.taken;
+    }
+    return taken / (kEmulatorWalkers * ((steps + 2) / 3));
+  }
+
+  void add(const Evaluated& record) {
+    if (record.places.empty()) return;
+    Eigen::MatrixXd places(std::ssize(informed_), std::ssize(record.places));
+    Eigen::MatrixXf residuals(observed_.size(), places.cols());
+    for (Eigen::Index i = 0; i < places.cols(); ++i) {
+      places.col(i) = record.places[static_cast<std::size_t>(i)];
+      residuals.col(i) = record.residuals[static_cast<std::size_t>(i)].cast<float>();
+    }
+    known_.add(places, residuals);
+  }
+
+  const Posterior& posterior_;
+  const EmulateSettings& settings_;
+  Eigen::VectorXd mode_;
+  std::shared_ptr<const Metric> metric_;  ///< of walkers: Laplace's, then of the emulator's draws
+  std::vector<Eigen::Index> informed_;
+  Metric informed_laplace_;
+  Eigen::VectorXd observed_;
+  Eigen::Index first_, most_;  ///< evaluations
+  Rng rng_;
+  LogParameters axes_;
+  std::vector<Walker> walkers_;  ///< the first begins at the mode
+  KnownResiduals known_;
+  Emulator emulator_;
 };
 
 }  // namespace
 
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
-                                             double path_length) {
-  return std::make_unique<EmulatedKernel>(emulator, target, path_length);
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
+                                             const std::vector<Eigen::Index>& informed,
+                                             const LogDensity& target, double path_length) {
+  return std::make_unique<EmulatedKernel>(emulator, informed, target, path_length);
 }
 
-bool can_emulate(const Posterior& posterior) {
-  return posterior.discrete_levels().empty() && !has_jagged(posterior);
-}
+bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
 
-bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vector<ChainState>& places) {
+bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const ChainState& mode,
+                const std::vector<ChainState>& places) {
   constexpr double kAsGood = 7;  // nats below the mode: a thousandth of its density
   constexpr double kOff = 4;     // nats, several times what an emulator in use is off by
   const auto error_at = [&](const ChainState& state) {
-    return state.evaluation.log_density - emulator.evaluate(state.position).log_density;
+    const Eigen::VectorXd& u = state.position.continuous;
+    const Eigen::VectorXd known = u(informed);
+    const double of_others = (u.squaredNorm() - known.squaredNorm()) / 2;
+    return state.evaluation.log_density + of_others - emulator.evaluate({known, {}}).log_density;
   };
   return std::ranges::any_of(places, [&](const ChainState& place) {
     return place.evaluation.log_density > mode.evaluation.log_density - kAsGood &&
@@ -151,25 +325,9 @@ bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vec
   });
 }
 
-Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
+Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings) {
-  const Learner learner(posterior, settings);
-  Rng rng(settings.seed, kEmulatorStream);
-  const Eigen::Index first = 2 * Emulator::monomials(mode.continuous.size());
-  EmulatorExamples examples = learner.evaluate(about(mode, laplace, first, rng));
-  Emulation result;
-  const LogParameters axes(posterior.free_priors());
-  result.emulator = Emulator(examples, axes);
-  for (double before = INFINITY; examples.count() + kRound <= settings.most; before = result.error) {
-    const EmulatorExamples fresh = learner.evaluate(draws_of(*result.emulator, mode, laplace, kRound, rng()));
-    result.error = error_of(*result.emulator, fresh);
-    examples.add(fresh);
-    result.emulator = Emulator(worth_learning(examples, first), axes);
-    if (std::max(before, result.error) <= settings.good) break;  // once may be luck
-  }
-  result.evaluations = static_cast<int>(examples.count());
-  if (!(result.error <= settings.poor)) result.emulator.reset();
-  return result;
+  return Learner(posterior, starts, laplace, settings).learn();
 }
 
 }  // namespace patina

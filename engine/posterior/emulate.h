@@ -14,11 +14,11 @@
 namespace patina {
 
 struct EmulateSettings {
-  int most = 600;  ///< evaluations of the posterior
-  /// Standard deviation of the emulator's error, nats, at draws that it has not learnt from, of the prior and
-  /// the root of its likelihood: at most this two rounds in a row, and no more are made; above the other one
-  /// it is of no use. Draws of the posterior itself lie closer together, and err by half as much.
-  double good = 1, poor = 3;
+  /// Evaluations of the posterior at most; 0: 600, or 3000 where coordinates are jagged.
+  int most = 0;
+  /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
+  /// made; below the other one the emulator is of no use.
+  double good = 0.7, poor = 0.07;
   int threads = 1;
   std::uint64_t seed = 1;
   std::function<void()> enter_thread = {};  ///< called first on each thread
@@ -26,28 +26,39 @@ struct EmulateSettings {
 };
 
 struct Emulation {
-  std::optional<Emulator> emulator;  ///< none: its error stayed poor
-  double error = 0;                  ///< the last one that was measured, nats
+  std::optional<Emulator> emulator;  ///< of the informed coordinates; none: too few were taken
+  double taken = 0;                  ///< share of the last rounds' proposals that the posterior took
   int evaluations = 0;
 };
 
 /// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
-/// refuses (make_two_stage); and now and then a random walk, which leaves where the emulator thinks too
-/// little of a place. @param path_length  as of hmc (kernels.h)
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator, const LogDensity& target,
-                                             double path_length);
+/// refuses (make_two_stage); and now and then a walk under the target itself, or HMC where it is jagged,
+/// which leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
+/// from their prior.
+/// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
+                                             const std::vector<Eigen::Index>& informed,
+                                             const LogDensity& target, double path_length);
 
-/// Whether a posterior can be emulated: polynomials follow no jagged coordinates and no discrete levels.
+constexpr int kEmulatorWalkers = 8;
+
+/// Whether a posterior can be emulated: it has informed coordinates. What its places of textures and its
+/// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.
 bool can_emulate(const Posterior& posterior);
 
 /// Whether the emulator is nats off at one of the places that the posterior likes about as well as the mode:
 /// its draws would hardly go there. @param places  of the posterior, with their log densities
-bool misses_one(const Emulator& emulator, const ChainState& mode, const std::vector<ChainState>& places);
+bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const ChainState& mode,
+                const std::vector<ChainState>& places);
 
-/// Learns an emulator from evaluations about the mode, then from draws of the emulator, its likelihood
-/// softened, round by round, until it foretells the next rounds' log densities.
+/// Learns an emulator from evaluations about the mode, then, round by round, from draws of the emulator, its
+/// likelihood softened, and from kEmulatorWalkers chains of the posterior that it proposes for, which also
+/// come where it thinks too little of: until they take what it proposes. (With chains that all began at the
+/// mode, polynomials of leather_6 never learnt of the lower heights that half of the posterior has.)
+/// @param starts   of these chains, in turn: the mode first, then what else the search found, and places that
+///                 are spread further than the posterior
 /// @param laplace  the covariance that the posterior has about its mode, about
-Emulation emulate(const Posterior& posterior, const Position& mode, const Metric& laplace,
+Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings);
 
 }  // namespace patina

@@ -10,11 +10,13 @@ namespace {
 // Of the monomials' sums of squares, which are about as large as the number of examples.
 constexpr double kRidge = 0.01;
 
-Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd both(b.rows(), a.cols() + b.cols());
-  if (a.cols() > 0) both.leftCols(a.cols()) = a;
-  both.rightCols(b.cols()) = b;
-  return both;
+/// Of the squares that are made least, 1 on average: what lies a nat a coordinate deeper than the best counts
+/// half. Examples reach further than the posterior, and polynomials cannot follow all of it.
+Eigen::VectorXd importance_of(const EmulatorExamples& examples) {
+  const Eigen::ArrayXd energies = examples.energies().array();
+  const auto dimension = static_cast<double>(examples.places.rows());
+  const Eigen::ArrayXd importance = (1 + (energies - energies.minCoeff()) / dimension).inverse();
+  return importance / importance.mean();
 }
 
 /// W with W W^T the inverse of the columns' covariance, lower triangular.
@@ -27,9 +29,8 @@ Eigen::MatrixXd whitening_of(const Eigen::MatrixXd& centred) {
 
 }  // namespace
 
-void EmulatorExamples::add(const EmulatorExamples& more) {
-  places = side_by_side(places, more.places);
-  residuals = side_by_side(residuals, more.residuals);
+Eigen::VectorXd EmulatorExamples::energies() const {
+  return (places.colwise().squaredNorm().transpose() + products.diagonal()) / 2;
 }
 
 Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) : axes_(axes) {
@@ -42,10 +43,11 @@ Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) 
   for (Eigen::Index i = 0; i < n; ++i) design.row(i) = features(whitening_ * (x.col(i) - centre_));
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(k, kRidge);
   ridge[0] = 0;
-  const Eigen::MatrixXd normal = design.transpose() * design + Eigen::MatrixXd(ridge.asDiagonal());
-  const Eigen::MatrixXd smoother = normal.ldlt().solve(design.transpose());  // C^T is residuals smoother^T
-  const Eigen::MatrixXd products = examples.residuals.transpose() * examples.residuals;
-  weights_ = smoother * products * smoother.transpose();
+  const Eigen::VectorXd importance = importance_of(examples);
+  const Eigen::MatrixXd weighted = design.transpose() * importance.asDiagonal();
+  const Eigen::MatrixXd normal = weighted * design + Eigen::MatrixXd(ridge.asDiagonal());
+  const Eigen::MatrixXd smoother = normal.ldlt().solve(weighted);  // C^T is residuals smoother^T
+  weights_ = smoother * examples.products * smoother.transpose();
 }
 
 Eigen::Index Emulator::monomials(Eigen::Index dimension) {

@@ -12,11 +12,13 @@ class Archive;
 
 /// Places where a posterior's summary is known: what an emulator learns from.
 struct EmulatorExamples {
-  Eigen::MatrixXd places;     ///< of continuous coordinates, a column each
-  Eigen::MatrixXd residuals;  ///< Posterior::predicted() minus the photo's, a column each
+  Eigen::MatrixXd places;  ///< of the coordinates that are emulated, a column each
+  /// R^T R, the columns of R the residuals there: Posterior::predicted() minus the photo's. All that
+  /// polynomials for squared residuals take, however long a summary is.
+  Eigen::MatrixXd products;
 
-  void add(const EmulatorExamples& more);
   Eigen::Index count() const { return places.cols(); }
+  Eigen::VectorXd energies() const;  ///< minus the log densities
 };
 
 /// A posterior whose renders are emulated: each entry of the summary is a polynomial of the coordinates, so
@@ -31,9 +33,9 @@ class Emulator final : public LogDensity {
  public:
   Emulator() = default;  ///< to be read from an archive
 
-  /// Least squares with a little ridge.
+  /// Least squares with a little ridge, in which examples that are good matches count more.
   /// @param examples  more than the monomials are, spread over all directions
-  /// @param axes      of all coordinates, or none
+  /// @param axes      of all coordinates that are emulated, or none
   explicit Emulator(const EmulatorExamples& examples, const LogParameters& axes = {});
 
   static Eigen::Index monomials(Eigen::Index dimension);

@@ -1,21 +1,25 @@
 #include "engine/run/emulated_proposals.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
 #include "engine/error.h"
 #include "engine/format.h"
+#include "engine/run/chain_start.h"
+#include "engine/run/controlled_density.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/parallel_for.h"
 
 namespace patina {
-
 namespace {
+
+constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164;  // apart from the search's and the chains'
 
 /// Why a run's proposals cannot be emulated; empty if they may be.
 std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
-  if (!can_emulate(posterior))
-    return "follows no choices and no places of a texture, which " + settings.material + " has";
+  if (!can_emulate(posterior)) return "has nothing to follow where places of a texture alone are free";
   if (settings.errors != "paper") return "is of no use with calibrated errors, which need no renders";
   if (settings.temper != 0) return "has no ladder";
   if (settings.start != "map") return "begins at the best match alone";
@@ -43,6 +47,21 @@ std::string kernel_in_use(const RunSettings& settings, bool emulated) {
   return emulated ? kEmulated : "hmc";
 }
 
+std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
+                                        const std::vector<ChainState>& basins, const Metric& laplace,
+                                        std::uint64_t seed, int threads,
+                                        const std::function<void()>& enter_thread) {
+  std::vector<ChainState> starts = basins.empty() ? std::vector<ChainState>{mode} : basins;
+  const std::size_t found = starts.size();
+  starts.resize(std::max<std::size_t>(found, kEmulatorWalkers));
+  const auto spread = [&](std::size_t i) {
+    Rng rng(seed, kSpreadStream + i);
+    starts[found + i] = overdispersed_start(target, mode, laplace, rng);
+  };
+  parallel_for(starts.size() - found, threads, spread, enter_thread);
+  return starts;
+}
+
 std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
                                        const Metric& laplace, const std::vector<MapPoint>& basins,
                                        const RunSettings& run, RunShared& shared) {
@@ -63,13 +82,16 @@ std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainSt
           }};
   std::vector<ChainState> ends;
   for (const MapPoint& basin : basins) ends.push_back({posterior.position(basin.values), {basin.lp, {}}});
-  Emulation made = emulate(posterior, mode.position, laplace, settings);
+  const ControlledDensity target(posterior, shared.control);
+  const std::vector<ChainState> starts =
+      emulator_starts(target, mode, ends, laplace, run.seed, settings.threads, settings.enter_thread);
+  Emulation made = emulate(posterior, starts, laplace, settings);
   std::string why_not;
   if (!made.emulator)
     why_not =
-        format("Polynomials do not follow the renders about this match (log densities are off by %.1f nats)",
-               made.error);
-  else if (misses_one(*made.emulator, mode, ends))
+        format("Polynomials do not follow the renders about this match (%.0f %% of proposals are taken)",
+               100 * made.taken);
+  else if (!has_jagged(posterior) && misses_one(*made.emulator, posterior.informed(), mode, ends))
     why_not = "There are other matches about as good, which polynomials about this one do not follow";
   if (why_not.empty()) return std::move(made.emulator);
   if (run.kernel == kEmulated) throw UserError(why_not + ": use --kernel hmc.");

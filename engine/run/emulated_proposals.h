@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,12 +17,20 @@ namespace patina {
 std::vector<std::string> run_kernel_names();
 
 /// Whether a run is to look for an emulator: kernel "emulated", and "auto" where there may be one.
-/// @throws UserError for a run that asks for emulated proposals where there are none: with jagged coordinates
-///                   or discrete levels, learnt errors, a ladder, chains that begin elsewhere
+/// @throws UserError for a run that asks for emulated proposals where there are none: with learnt errors, a
+///                   ladder, chains that begin elsewhere, nothing but places of a texture free
 bool emulates(const RunSettings& settings, const Posterior& posterior);
 
+/// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
+/// starts as chains have them.
+std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
+                                        const std::vector<ChainState>& basins, const Metric& laplace,
+                                        std::uint64_t seed, int threads,
+                                        const std::function<void()>& enter_thread);
+
 /// emulate() of a run, on all processors; keeps its status up to date. None where polynomials do not follow
-/// the renders, or miss a basin, and the kernel is "auto".
+/// the renders, or miss a basin, and the kernel is "auto". (Where coordinates are jagged, a basin may be good
+/// by its wrinkle alone, which no polynomial has.)
 /// @param basins  that the search ended in
 /// @throws RunStopped   @throws UserError where they do so and the kernel is "emulated"
 std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,

@@ -40,7 +40,7 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
     serialise(archive, found, settings);
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
         (found.errors && !fits(*found.errors, target)) ||
-        (found.emulator && !found.emulator->is_of(target.dimension())))
+        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

@@ -97,7 +97,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   emulates_ = emulates(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
   if (!settings_.refresh) settings_.refresh = usual_refresh(jagged);
-  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged);
+  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged && !emulates_);
   table_ = posteriors_.front()->table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
@@ -341,10 +341,11 @@ void SamplerRun::sample(const ModeFound& found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel = found.emulator
-                          ? make_emulated_kernel(*found.emulator, target, settings_.path_length)
-                          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
-                                        settings_.discrete, settings_.path_length);
+  const auto kernel =
+      found.emulator
+          ? make_emulated_kernel(*found.emulator, posterior.informed(), target, settings_.path_length)
+          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh, settings_.discrete,
+                        settings_.path_length);
   const ChainPlan plan{.settings = settings_,
                        .table = table_,
                        .target = target,

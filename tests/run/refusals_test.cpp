@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/material/registry.h"
 #include "engine/summary/device.h"
 #include "engine/summary/precision.h"
 #include "tests/run/run_fixture.h"
@@ -58,7 +59,13 @@ TEST_F(StartRunRefuses, EmulatedProposalsWhereThereAreNone) {
       change(s);
     });
   };
-  EXPECT_NE(sentence([](auto& s) { s.material = "leather"; }).find("which leather has"), std::string::npos);
+  const auto only_places = [](auto& s) {
+    s.material = "leather";
+    const ParameterTable table = material_table("leather");
+    for (const Parameter& parameter : table.continuous)
+      if (!parameter.place) s.fixed[parameter.name] = parameter.prior.mean;
+  };
+  EXPECT_NE(sentence(only_places).find("places of a texture"), std::string::npos);
   EXPECT_NE(sentence([](auto& s) { s.errors = "calibrated"; }).find("calibrated errors"), std::string::npos);
   EXPECT_NE(sentence([](auto& s) { s.temper = 4; }).find("ladder"), std::string::npos);
   EXPECT_NE(sentence([](auto& s) { s.start = "prior"; }).find("best match"), std::string::npos);

@@ -64,8 +64,12 @@ TEST_F(SamplerRunTest, WhatTheSearchHasMetIsKeptAtAnyMomentAndWhenItIsStopped) {
   EXPECT_TRUE(read_manifest(directory()).so_far) << "until there is a better one";
 }
 
-TEST_F(SamplerRunTest, ARunOfEmulatedProposalsGoesOnFromWhereItWasStoppedToTheSameDraws) {
+class EmulatedRun : public SamplerRunTest, public testing::WithParamInterface<std::string> {};
+INSTANTIATE_TEST_SUITE_P(SmoothAndJagged, EmulatedRun, testing::Values("bump", "leather"));
+
+TEST_P(EmulatedRun, GoesOnFromWhereItWasStoppedToTheSameDraws) {
   RunSettings emulated = settings();
+  emulated.material = GetParam();
   emulated.kernel = "emulated";
   emulated.draws = 60;
   const auto whole = start_run(emulated, photo(), folder_ / "whole");
@@ -85,16 +89,17 @@ TEST_F(SamplerRunTest, ARunOfEmulatedProposalsGoesOnFromWhereItWasStoppedToTheSa
 }
 
 TEST_F(SamplerRunTest, RunJsonTellsWhichKernelItTookByItself) {
-  const auto kernel_of = [&](const std::string& material, const std::string& kernel) {
+  const auto kernel_of = [&](const std::string& kernel, int temper) {
     RunSettings asked = settings();
-    asked.material = material;
     asked.kernel = kernel;
-    draws_to_the_end(*start_run(asked, photo(), folder_ / (material + kernel)));
-    return read_manifest(folder_ / (material + kernel)).kernel;
+    asked.temper = temper;
+    const auto folder = folder_ / (kernel + std::to_string(temper));
+    draws_to_the_end(*start_run(asked, photo(), folder));
+    return read_manifest(folder).kernel;
   };
-  EXPECT_EQ(kernel_of("bump", "auto"), "emulated");
-  EXPECT_EQ(kernel_of("leather", "auto"), "hmc");
-  EXPECT_EQ(kernel_of("bump", "nuts"), "nuts");
+  EXPECT_EQ(kernel_of("auto", 0), "emulated");
+  EXPECT_EQ(kernel_of("auto", 2), "hmc");
+  EXPECT_EQ(kernel_of("nuts", 0), "nuts");
 }
 
 TEST_F(SamplerRunTest, AllDrawsStayInsideThePriorsBoxAndTheBestIsNotWorseThanAnyDraw) {
