@@ -7,6 +7,7 @@
 
 #include "engine/posterior/informed_density.h"
 #include "engine/posterior/known_residuals.h"
+#include "engine/posterior/recording_density.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
@@ -78,46 +79,6 @@ class EmulatedKernel final : public Kernel {
   std::unique_ptr<Kernel> kernel_;
 };
 
-/// Evaluations of a posterior with their residuals, in order.
-struct Evaluated {
-  std::vector<Eigen::VectorXd> places;  ///< informed coordinates
-  std::vector<Eigen::VectorXd> residuals;
-};
-
-/// A posterior that keeps what it is asked; without gradients. For one thread.
-class RecordingDensity final : public LogDensity {
- public:
-  RecordingDensity(const Posterior& posterior, const std::vector<Eigen::Index>& informed,
-                   const Eigen::VectorXd& observed, const std::function<void()>& evaluated, Evaluated& record)
-      : posterior_(posterior),
-        informed_(informed),
-        observed_(observed),
-        evaluated_(evaluated),
-        record_(record) {}
-
-  Eigen::Index dimension() const override { return posterior_.dimension(); }
-  std::vector<int> discrete_levels() const override { return posterior_.discrete_levels(); }
-  std::vector<bool> jagged() const override { return posterior_.jagged(); }
-
-  Evaluation evaluate(const Position& position) const override {
-    if (!position.continuous.allFinite()) return {-INFINITY, {}};
-    Eigen::VectorXd residual = posterior_.predicted(position) - observed_;
-    if (evaluated_) evaluated_();
-    const double squares = residual.squaredNorm();
-    if (!std::isfinite(squares)) return {-INFINITY, {}};
-    record_.places.emplace_back(position.continuous(informed_));
-    record_.residuals.push_back(std::move(residual));
-    return {-(position.continuous.squaredNorm() + squares) / 2, {}};
-  }
-
- private:
-  const Posterior& posterior_;
-  const std::vector<Eigen::Index>& informed_;
-  const Eigen::VectorXd& observed_;
-  const std::function<void()>& evaluated_;
-  Evaluated& record_;
-};
-
 /// A chain of the posterior that comes along while the emulator learns.
 struct Walker {
   ChainState state;
@@ -162,7 +123,6 @@ class Learner {
       evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers));
       result.taken = walk(steps);
       fit();
-      fprintf(stderr, "known %ld taken %.2f\n", (long)known_.count(), result.taken);
       if (std::min(before, result.taken) >= settings_.good) break;  // once may be luck
     }
     result.evaluations = static_cast<int>(known_.count());

@@ -165,17 +165,19 @@ TEST_F(SamplerRunTest, WithoutASummaryTheMaterialsOwnIsUsedAndWrittenDown) {
 }
 
 TEST_F(SamplerRunTest, JaggedCoordinatesDecideWhatNobodyAskedForAndItIsWrittenDown) {
-  const auto used_for = [&](const std::string& material) {
+  const auto used_for = [&](const std::string& material, const std::string& kernel) {
     RunSettings asked = settings();
     asked.material = material;
+    asked.kernel = kernel;
     asked.warmup.reset();
-    const auto folder = folder_ / material;
+    const auto folder = folder_ / (material + kernel);
     start_run(asked, photo(), folder)->stop();
     return read_manifest(folder).settings;
   };
-  const RunSettings of_smooth = used_for("bump"), of_jagged = used_for("leather");
+  const RunSettings of_smooth = used_for("bump", "hmc"), of_jagged = used_for("leather", "hmc");
   EXPECT_LT(of_smooth.refresh.value(), of_jagged.refresh.value());
   EXPECT_LT(of_smooth.warmup.value(), of_jagged.warmup.value());
+  EXPECT_EQ(used_for("leather", "emulated").warmup, of_smooth.warmup) << "proposals move them as well";
 }
 
 TEST_F(SamplerRunTest, WhatTheUserAskedForIsUsedAndWrittenDown) {
