@@ -18,7 +18,7 @@ struct EmulateSettings {
   int most = 0;
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.
-  double good = 0.7, poor = 0.07;
+  double good = 0.7, poor = 0.15;
   int threads = 1;
   std::uint64_t seed = 1;
   std::function<void()> enter_thread = {};  ///< called first on each thread
