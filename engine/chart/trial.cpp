@@ -139,7 +139,7 @@ class Running {
     const Emulation made =
         problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
     const std::vector<Eigen::Index> informed = problem_.informed();
-    if (made.emulator && (has_jagged(target) || !misses_one(*made.emulator, informed, mode, basins_)))
+    if (made.emulator && !misses_one(*made.emulator, informed, target, mode, basins_))
       return make_emulated_kernel(*made.emulator, informed, target, setting_.path_length);
     ChartSetting hmc = setting_;
     hmc.kernel = "hmc";

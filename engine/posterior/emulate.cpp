@@ -103,9 +103,9 @@ class Learner {
               : has_jagged(posterior) ? kMostJagged
                                       : kMostSmooth),
         rng_(settings.seed, kEmulatorStream) {
+    const std::vector<TruncatedNormal> all = posterior.free_priors();
     std::vector<TruncatedNormal> priors;
-    for (const Eigen::Index i : informed_)
-      priors.push_back(posterior.free_priors()[static_cast<std::size_t>(i)]);
+    for (const Eigen::Index i : informed_) priors.push_back(all[static_cast<std::size_t>(i)]);
     axes_ =
         LogParameters::about(priors, mode_(informed_), informed_laplace_.covariance().diagonal().cwiseSqrt());
     for (int k = 0; k < kEmulatorWalkers; ++k)
@@ -239,7 +239,7 @@ class Learner {
     Eigen::MatrixXf residuals(observed_.size(), places.cols());
     for (Eigen::Index i = 0; i < places.cols(); ++i) {
       places.col(i) = record.places[static_cast<std::size_t>(i)];
-      residuals.col(i) = record.residuals[static_cast<std::size_t>(i)].cast<float>();
+      residuals.col(i) = record.residuals[static_cast<std::size_t>(i)];
     }
     known_.add(places, residuals);
   }
@@ -269,8 +269,9 @@ std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
 
 bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
 
-bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const ChainState& mode,
-                const std::vector<ChainState>& places) {
+bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target,
+                const ChainState& mode, const std::vector<ChainState>& places) {
+  if (has_jagged(target)) return false;
   constexpr double kAsGood = 7;  // nats below the mode: a thousandth of its density
   constexpr double kOff = 4;     // nats, several times what an emulator in use is off by
   const auto error_at = [&](const ChainState& state) {

@@ -46,10 +46,12 @@ constexpr int kEmulatorWalkers = 8;
 /// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.
 bool can_emulate(const Posterior& posterior);
 
-/// Whether the emulator is nats off at one of the places that the posterior likes about as well as the mode:
-/// its draws would hardly go there. @param places  of the posterior, with their log densities
-bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const ChainState& mode,
-                const std::vector<ChainState>& places);
+/// Whether the emulator is nats off at one of the places that a smooth target likes about as well as its
+/// mode: its draws would hardly go there. Of a jagged one it is not asked: there a place may be good by its
+/// wrinkle alone, which no polynomial has.
+/// @param places  of the target, with their log densities
+bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target,
+                const ChainState& mode, const std::vector<ChainState>& places);
 
 /// Learns an emulator from evaluations about the mode, then, round by round, from draws of the emulator, its
 /// likelihood softened, and from kEmulatorWalkers chains of the posterior that it proposes for, which also

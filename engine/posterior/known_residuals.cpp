@@ -38,12 +38,6 @@ EmulatorExamples KnownResiduals::some(const std::vector<Eigen::Index>& which) co
   return {all_.places(Eigen::all, which), all_.products(which, which)};
 }
 
-EmulatorExamples KnownResiduals::since(Eigen::Index first) const {
-  std::vector<Eigen::Index> which(static_cast<std::size_t>(count() - first));
-  std::iota(which.begin(), which.end(), first);
-  return some(which);
-}
-
 EmulatorExamples KnownResiduals::worth_learning(Eigen::Index least) const {
   constexpr double kFar = 5;  // nats a coordinate
   const Eigen::VectorXd energies = all_.energies();

@@ -17,9 +17,6 @@ class KnownResiduals {
   Eigen::Index count() const { return all_.count(); }
   const EmulatorExamples& all() const { return all_; }
 
-  /// Those from there on.
-  EmulatorExamples since(Eigen::Index first) const;
-
   /// Those that are not hopelessly far from the best, but at least so many: the others would only bend
   /// polynomials where they are wanted.
   EmulatorExamples worth_learning(Eigen::Index least) const;

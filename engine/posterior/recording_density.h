@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "engine/posterior/posterior.h"
@@ -13,7 +12,7 @@ namespace patina {
 /// Evaluations of a posterior with their residuals, in order.
 struct Evaluated {
   std::vector<Eigen::VectorXd> places;  ///< informed coordinates
-  std::vector<Eigen::VectorXd> residuals;
+  std::vector<Eigen::VectorXf> residuals;
 };
 
 /// A posterior that keeps where it was asked and what the residuals are there; without gradients. For one
@@ -37,12 +36,12 @@ class RecordingDensity final : public LogDensity {
 
   Evaluation evaluate(const Position& position) const override {
     if (!position.continuous.allFinite()) return {-std::numeric_limits<double>::infinity(), {}};
-    Eigen::VectorXd residual = posterior_.predicted(position) - observed_;
+    const Eigen::VectorXd residual = posterior_.predicted(position) - observed_;
     if (evaluated_) evaluated_();
     const double squares = residual.squaredNorm();
     if (!std::isfinite(squares)) return {-std::numeric_limits<double>::infinity(), {}};
     record_.places.emplace_back(position.continuous(informed_));
-    record_.residuals.push_back(std::move(residual));
+    record_.residuals.emplace_back(residual.cast<float>());
     return {-(position.continuous.squaredNorm() + squares) / 2, {}};
   }
 

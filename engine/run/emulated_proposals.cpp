@@ -91,7 +91,7 @@ std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainSt
     why_not =
         format("Polynomials do not follow the renders about this match (%.0f %% of proposals are taken)",
                100 * made.taken);
-  else if (!has_jagged(posterior) && misses_one(*made.emulator, posterior.informed(), mode, ends))
+  else if (misses_one(*made.emulator, posterior.informed(), posterior, mode, ends))
     why_not = "There are other matches about as good, which polynomials about this one do not follow";
   if (why_not.empty()) return std::move(made.emulator);
   if (run.kernel == kEmulated) throw UserError(why_not + ": use --kernel hmc.");

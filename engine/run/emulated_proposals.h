@@ -29,8 +29,7 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
                                         const std::function<void()>& enter_thread);
 
 /// emulate() of a run, on all processors; keeps its status up to date. None where polynomials do not follow
-/// the renders, or miss a basin, and the kernel is "auto". (Where coordinates are jagged, a basin may be good
-/// by its wrinkle alone, which no polynomial has.)
+/// the renders, or miss a basin, and the kernel is "auto".
 /// @param basins  that the search ended in
 /// @throws RunStopped   @throws UserError where they do so and the kernel is "emulated"
 std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,

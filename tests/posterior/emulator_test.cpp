@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -192,28 +192,28 @@ TEST(InformedDensity, GivesTheOtherCoordinatesTheirPriorAndLeavesLevelsAlone) {
   EXPECT_EQ(of_all.gradient[3], -2);
 }
 
-/// bump by its mean colours at 32 pixels, three parameters free.
+/// A material by its mean colours at 32 pixels, given a render of the middle of its prior; all but some
+/// parameters are held there.
+Posterior with_free(const std::string& material, const std::set<std::string>& free) {
+  const Renderer renderer(material, 2, Capture{});
+  const ParameterValues usual = prior_location(renderer.table());
+  PosteriorSettings settings;
+  settings.material = material;
+  settings.resolution = 32;
+  settings.summary = "means";
+  for (std::size_t i = 0; i < usual.continuous.size(); ++i)
+    if (const std::string& name = renderer.table().continuous[i].name; !free.contains(name))
+      settings.fixed[name] = usual.continuous[i];
+  return Posterior(settings, renderer.render(usual, 32));
+}
+
 class EmulatedPosterior : public testing::Test {
  protected:
-  static Posterior posterior() {
-    const Renderer renderer("bump", 2, Capture{});
-    const ParameterValues usual = prior_location(renderer.table());
-    PosteriorSettings settings;
-    settings.resolution = 32;
-    settings.summary = "means";
-    for (std::size_t i = 0; i < usual.continuous.size(); ++i) {
-      const std::string& name = renderer.table().continuous[i].name;
-      if (name != "light" && name != "albedo_r" && name != "rough")
-        settings.fixed[name] = usual.continuous[i];
-    }
-    return Posterior(settings, renderer.render(usual, 32));
-  }
-
   static EmulateSettings usual() {
     return {.threads = 2, .enter_thread = [] { at::set_num_threads(1); }};
   }
 
-  Posterior posterior_ = posterior();
+  Posterior posterior_ = with_free("bump", {"light", "albedo_r", "rough"});
   Position mode_{Eigen::VectorXd::Zero(3), {}};
   std::vector<ChainState> starts_{{mode_, posterior_.value(mode_)}};
   Metric laplace_{laplace_covariance(posterior_, mode_)};
@@ -245,11 +245,11 @@ TEST_F(EmulatedPosterior, IsToldFromOneThatHasAnotherModeByWhatASearchFoundThere
   const ChainState mode{mode_, posterior_.evaluate(mode_)};
   const auto at = [&](const Eigen::VectorXd& u) { return ChainState{{u, {}}, posterior_.evaluate({u, {}})}; };
   const ChainState near = at(laplace_.colour(Eigen::VectorXd::Constant(3, 0.5)));
-  EXPECT_FALSE(
-      misses_one(*made.emulator, posterior_.informed(), mode, {near, at(Eigen::VectorXd::Constant(3, 2))}));
+  EXPECT_FALSE(misses_one(*made.emulator, posterior_.informed(), posterior_, mode,
+                          {near, at(Eigen::VectorXd::Constant(3, 2))}));
   ChainState other = at(Eigen::VectorXd::Constant(3, 2));
   other.evaluation.log_density = mode.evaluation.log_density - 1;
-  EXPECT_TRUE(misses_one(*made.emulator, posterior_.informed(), mode, {near, other}));
+  EXPECT_TRUE(misses_one(*made.emulator, posterior_.informed(), posterior_, mode, {near, other}));
 }
 
 TEST_F(EmulatedPosterior, DrawsOfItsKernelAreThoseOfHmcAtATenthOfTheRenders) {
@@ -276,25 +276,9 @@ TEST_F(EmulatedPosterior, DrawsOfItsKernelAreThoseOfHmcAtATenthOfTheRenders) {
   }
 }
 
-/// leather by its mean colours at 32 pixels: light, roughness and the size of its cells are free, and places
-/// and choices of its maps, which nothing but the prior proposes.
-Posterior leather() {
-  const Renderer renderer("leather", 2, Capture{});
-  const ParameterValues usual = prior_location(renderer.table());
-  PosteriorSettings settings;
-  settings.material = "leather";
-  settings.resolution = 32;
-  settings.summary = "means";
-  for (std::size_t i = 0; i < usual.continuous.size(); ++i) {
-    const std::string& name = renderer.table().continuous[i].name;
-    if (name != "light" && name != "rough" && name != "scale" && name != "shift_x" && name != "shift_y")
-      settings.fixed[name] = usual.continuous[i];
-  }
-  return Posterior(settings, renderer.render(usual, 32));
-}
-
 TEST(EmulatedPlaces, DrawsAreThoseOfHmcWithRefreshMovesWhatTheEmulatorDoesNotKnowIncluded) {
-  const Posterior posterior = leather();
+  // Places of its maps and their choices are proposed by nothing but their prior.
+  const Posterior posterior = with_free("leather", {"light", "rough", "scale", "shift_x", "shift_y"});
   ASSERT_TRUE(has_jagged(posterior));
   ASSERT_TRUE(can_emulate(posterior));
   ASSERT_EQ(std::ssize(posterior.informed()), 3) << "places are not informed";
@@ -328,24 +312,9 @@ TEST(EmulatedPlaces, DrawsAreThoseOfHmcWithRefreshMovesWhatTheEmulatorDoesNotKno
 }
 
 TEST(CanEmulate, AllMaterialsOfWhichMoreThanPlacesIsFree) {
-  const auto can = [](const std::string& material, const std::map<std::string, double>& fixed = {}) {
-    const Renderer renderer(material, 2, Capture{});
-    PosteriorSettings settings;
-    settings.material = material;
-    settings.resolution = 32;
-    settings.summary = "means";
-    settings.fixed = fixed;
-    return can_emulate(Posterior(settings, renderer.render(prior_location(renderer.table()), 32)));
-  };
-  EXPECT_TRUE(can("bump"));
-  EXPECT_TRUE(can("flake"));
-  std::map<std::string, double> all_but_places;
-  const Renderer leather("leather", 2, Capture{});
-  const ParameterValues usual = prior_location(leather.table());
-  for (std::size_t i = 0; i < usual.continuous.size(); ++i)
-    if (const Parameter& parameter = leather.table().continuous[i]; !parameter.place)
-      all_but_places[parameter.name] = usual.continuous[i];
-  EXPECT_FALSE(can("leather", all_but_places));
+  for (const char* material : {"bump", "metal", "translucent", "leather", "flake"})
+    EXPECT_TRUE(can_emulate(with_free(material, {"light"}))) << material;
+  EXPECT_FALSE(can_emulate(with_free("leather", {"shift_x", "shift_y"})));
 }
 
 }  // namespace
