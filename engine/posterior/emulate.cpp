@@ -20,8 +20,9 @@ namespace {
 
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search's and the chains'
 
-constexpr int kMovesAProposal = 50;
+constexpr int kMovesFar = 50, kMovesNear = 1;  // of a proposal
 constexpr double kProposing = 0.8;  // share of the proposals
+constexpr double kNear = 0.5;       // of these, where the target is jagged
 constexpr double kPathLength = 1.5;
 constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
 constexpr double kAlpha = 0.9;     // continuous moves, where there are levels
@@ -35,16 +36,24 @@ class Proposals {
   Proposals(const Proposals&) = delete;  // its density refers to it
   Proposals& operator=(const Proposals&) = delete;
 
-  std::unique_ptr<Kernel> kernel(double path_length) const {
+  std::unique_ptr<Kernel> kernel(double path_length, int moves) const {
     constexpr bool kJagged = false;
     auto hmc = make_kernel("hmc", density_, kAlpha, usual_refresh(kJagged), "joint", path_length);
-    return make_two_stage(std::move(hmc), density_, kMovesAProposal);
+    return make_two_stage(std::move(hmc), density_, moves);
   }
 
  private:
   Emulator emulator_;
   InformedDensity density_;
 };
+
+/// Far proposals alone, or near ones as well: what the emulator does not know of a jagged target is about the
+/// same a step away, so that chains walk on where far proposals are refused.
+std::unique_ptr<Kernel> proposing(const Proposals& proposals, const LogDensity& target, double path_length) {
+  auto far = proposals.kernel(path_length, kMovesFar);
+  if (!has_jagged(target)) return far;
+  return make_mixture(std::move(far), proposals.kernel(path_length, kMovesNear), 1 - kNear);
+}
 
 /// Moves of the target that need no gradient, along jagged coordinates as well.
 std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
@@ -66,7 +75,7 @@ class EmulatedKernel final : public Kernel {
   EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
                  const LogDensity& target, double path_length)
       : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposals_.kernel(path_length), way_out_of(target, path_length), kProposing)) {}
+        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target, path_length), kProposing)) {}
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
@@ -97,11 +106,9 @@ class Learner {
         metric_(std::make_shared<const Metric>(laplace)),
         informed_(posterior.informed()),
         informed_laplace_(laplace.covariance()(informed_, informed_)),
-        observed_(posterior.photo_summary().cwiseQuotient(posterior.hand_set_errors())),
+        observed_(posterior.in_errors(posterior.photo_summary())),
         first_(2 * Emulator::monomials(std::ssize(informed_))),
-        most_(settings.most > 0       ? settings.most
-              : has_jagged(posterior) ? kMostJagged
-                                      : kMostSmooth),
+        most_(settings.most > 0 ? settings.most : std::max(kFewest, 3 * first_)),
         rng_(settings.seed, kEmulatorStream) {
     const std::vector<TruncatedNormal> all = posterior.free_priors();
     std::vector<TruncatedNormal> priors;
@@ -131,7 +138,7 @@ class Learner {
   }
 
  private:
-  static constexpr Eigen::Index kLeastRound = 60, kMostSmooth = 600, kMostJagged = 3000;  // evaluations
+  static constexpr Eigen::Index kLeastRound = 60, kFewest = 600;  // evaluations
 
   /// At informed coordinates; those of places and levels are drawn from their prior for each.
   void evaluate(const Eigen::MatrixXd& places) {
@@ -210,7 +217,7 @@ class Learner {
   /// Every third step of a walker is a proposal. @return the share of these that were taken
   double walk(int steps) {
     const Proposals proposals(emulator_, informed_, posterior_);
-    const auto proposal = proposals.kernel(kPathLength), walk = walk_of(posterior_);
+    const auto proposal = proposals.kernel(kPathLength, kMovesFar), walk = walk_of(posterior_);
     const KernelSettings settings{.metric = metric_};
     const auto work = [&](std::size_t k) {
       Walker& walker = walkers_[k];

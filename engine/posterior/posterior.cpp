@@ -21,6 +21,8 @@
 #include "engine/posterior/forward_model.h"
 #include "engine/posterior/parameter_space.h"
 #include "engine/posterior/regressed_likelihood.h"
+#include "engine/posterior/whitening.h"
+#include "engine/posterior/wider_errors.h"
 #include "engine/summary/quarter_summary.h"
 #include "engine/summary/summary.h"
 
@@ -30,6 +32,11 @@ namespace {
 Eigen::VectorXd to_vector(const at::Tensor& tensor) {
   const at::Tensor doubles = tensor.to(at::kDouble).contiguous();
   return Eigen::Map<const Eigen::VectorXd>(doubles.data_ptr<double>(), doubles.numel());
+}
+
+at::Tensor to_tensor(const Eigen::VectorXd& vector) {
+  const at::ArrayRef<double> values(vector.data(), static_cast<std::size_t>(vector.size()));
+  return at::tensor(values, at::kDouble).to(at::kFloat);
 }
 
 Evaluation outside_support(Eigen::Index dimension) {
@@ -44,7 +51,7 @@ struct Posterior::Parts {
   ParameterSpace space;
   std::shared_ptr<const Irregularities> z;
   at::Tensor photo_summary;
-  at::Tensor inverse_sigma;
+  Whitening whitened{at::Tensor()};
   std::shared_ptr<const RegressedLikelihood> calibrated;  ///< null: the errors are the hand-set ones
   std::vector<Eigen::Index> informed;                     ///< coordinates that it is of
 
@@ -65,8 +72,8 @@ struct Posterior::Parts {
       throw UserError("The resolution " + std::to_string(settings.resolution) +
                       " is too small for this summary: use " + std::to_string(least) + " or more.");
     photo_summary = model.summary_of(photo);
-    inverse_sigma =
-        inverse_sigmas(photo_summary, model.summary->blocks(), settings.gram_sigma, settings.mean_sigma);
+    whitened = Whitening(
+        inverse_sigmas(photo_summary, model.summary->blocks(), settings.gram_sigma, settings.mean_sigma));
   }
 
   /// Summary of the render at parameter values, with its graph.
@@ -83,9 +90,9 @@ struct Posterior::Parts {
     return evaluation;
   }
 
-  /// (render - photo) / sigma, with its graph.
+  /// Render minus photo in units of the errors, with its graph.
   at::Tensor residual(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    return (summary_at(parameters, discrete) - photo_summary) * inverse_sigma;
+    return whitened(summary_at(parameters, discrete) - photo_summary);
   }
 
   /// Half the chi-square of the render's summary, a double scalar with its graph.
@@ -138,15 +145,26 @@ Posterior::~Posterior() = default;
 Eigen::VectorXd Posterior::predicted(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
-  return to_vector(parts_->summary_at(parts_->leaves(values, false), values.discrete) *
-                   parts_->inverse_sigma);
+  return to_vector(parts_->whitened(parts_->summary_at(parts_->leaves(values, false), values.discrete)));
+}
+
+Eigen::VectorXd Posterior::in_errors(const Eigen::VectorXd& summary) const {
+  return to_vector(parts_->whitened(to_tensor(summary)));
+}
+
+Posterior Posterior::with(const WiderErrors& wider) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->whitened = parts->whitened.along(wider);
+  return Posterior(std::move(parts));
 }
 
 std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
   const PosteriorSettings& s = parts_->settings;
-  return block_misfits(parts_->residual(parts_->leaves(values, false), values.discrete),
+  const at::Tensor difference =
+      parts_->summary_at(parts_->leaves(values, false), values.discrete) - parts_->photo_summary;
+  return block_misfits(difference * parts_->whitened.inverse_sigmas(),
                        parts_->model.summary->blocks(), s.gram_sigma, s.mean_sigma);
 }
 
@@ -154,18 +172,14 @@ Posterior Posterior::given(const Eigen::VectorXd& observed) const {
   if (observed.size() != parts_->photo_summary.numel())
     throw std::invalid_argument("an observation has as many entries as a prediction");
   auto parts = std::make_unique<Parts>(*parts_);
-  parts->photo_summary =
-      at::tensor(at::ArrayRef<double>(observed.data(), static_cast<std::size_t>(observed.size())),
-                 at::kDouble)
-          .to(at::kFloat) /
-      parts_->inverse_sigma;
+  parts->photo_summary = parts->whitened.undo(to_tensor(observed));
   parts->calibrated.reset();
   return Posterior(std::move(parts));
 }
 
 Eigen::VectorXd Posterior::photo_summary() const { return to_vector(parts_->photo_summary); }
 
-Eigen::VectorXd Posterior::hand_set_errors() const { return to_vector(parts_->inverse_sigma).cwiseInverse(); }
+Eigen::VectorXd Posterior::hand_set_errors() const { return to_vector(parts_->whitened.inverse_sigmas()).cwiseInverse(); }
 
 std::vector<bool> Posterior::moments() const {
   std::vector<bool> moments;

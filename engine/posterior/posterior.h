@@ -20,6 +20,7 @@ class Irregularities;
 class Rng;
 class RegressedLikelihood;
 struct Camera;
+struct WiderErrors;
 
 /// What a posterior is made of, beside the photo.
 struct PosteriorSettings {
@@ -45,6 +46,7 @@ struct PosteriorSettings {
 /// The posterior of a material's parameters given one photo (paper equation 6), in prior-CDF coordinates:
 /// u = Phi^-1(F_prior(theta)), so that the prior is exactly N(0, I) and no Jacobian remains
 ///   log p(u) = -|u|^2 / 2 - 1/2 sum_k ((S(render(theta(u), z)) - S(photo))_k / sigma_k)^2
+/// or, where errors are wider along some directions (WiderErrors), with their whole covariance there.
 class Posterior final : public LogDensity {
  public:
   /// @param photo  square, 3 channels, sRGB in [0,1]; resampled to settings.resolution
@@ -64,14 +66,17 @@ class Posterior final : public LogDensity {
   /// The same with the whole gradient along every coordinate.
   Evaluation evaluate_with_whole_gradient(const Position& position) const;
 
-  /// The summary of the render at a position, each entry over the error's sd: what the photo's is expected to
-  /// be, with errors N(0, I).
+  /// The summary of the render at a position, in units of the errors: what the photo's is expected to be, with
+  /// errors N(0, I).
   Eigen::VectorXd predicted(const Position& position) const;
 
   /// The posterior given another summary in the photo's place, in the units of predicted(). The errors' sds
   /// stay those of the photo that this posterior was made for, so that predicted() + N(0, I) is a draw from
   /// its sampling distribution to the letter.
   Posterior given(const Eigen::VectorXd& observed) const;
+
+  /// A summary in the units of predicted(), from its own.
+  Eigen::VectorXd in_errors(const Eigen::VectorXd& summary) const;
 
   /// The photo's summary, in the summary's own units.
   Eigen::VectorXd photo_summary() const;
@@ -89,6 +94,9 @@ class Posterior final : public LogDensity {
   /// The summaries of such photos, of one size, in one pass. @return entries x photos
   Eigen::MatrixXd simulated_summaries(std::span<const Image> photos) const;
 
+  /// The same posterior with errors that are wider along some directions.
+  Posterior with(const WiderErrors& wider) const;
+
   /// The coordinates that are no places (Parameter::place): what a photo can tell whatever its
   /// irregularities.
   std::vector<Eigen::Index> informed() const;
@@ -102,7 +110,8 @@ class Posterior final : public LogDensity {
   /// @param photo  the one that this posterior was made for
   Posterior of_quarter(int quarter, const Image& photo) const;
 
-  /// How far the render at a position is from the photo, part by part of the summary.
+  /// How far the render at a position is from the photo, part by part of the summary, beside the hand-set
+  /// errors.
   std::vector<BlockMisfit> misfit(const Position& position) const;
 
   /// All parameters, with the priors in force; fixed ones included.

@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 bool is_wrinkled(const RunSettings& settings, const ParameterTable& table) {
-  return settings.errors == "paper" && std::ranges::any_of(table.continuous, [&](const Parameter& parameter) {
+  return settings.errors != "calibrated" && std::ranges::any_of(table.continuous, [&](const Parameter& parameter) {
            return parameter.jagged && !settings.fixed.contains(parameter.name);
          });
 }

@@ -20,7 +20,7 @@ constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164;  // apart from the sea
 /// Why a run's proposals cannot be emulated; empty if they may be.
 std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
   if (!can_emulate(posterior)) return "has nothing to follow where places of a texture alone are free";
-  if (settings.errors != "paper") return "is of no use with calibrated errors, which need no renders";
+  if (settings.errors == "calibrated") return "is of no use with calibrated errors, which need no renders";
   if (settings.temper != 0) return "has no ladder";
   if (settings.start != "map") return "begins at the best match alone";
   return "";

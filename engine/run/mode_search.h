@@ -7,6 +7,7 @@
 
 #include "engine/posterior/emulator.h"
 #include "engine/posterior/posterior.h"
+#include "engine/posterior/wider_errors.h"
 #include "engine/run/calibrated_errors.h"
 #include "engine/run/chain.h"
 #include "engine/run/manifest.h"
@@ -24,6 +25,7 @@ struct ModeFound {
   std::shared_ptr<const Metric> laplace;        ///< covariance of the normal approximation at the mode
   std::vector<MapPoint> basins = {};            ///< that the search ended in, best first; empty when recalled
   std::optional<CalibratedErrors> errors = {};  ///< of calibrated errors: mode and covariance are under them
+  std::optional<WiderErrors> wider = {};        ///< of widened errors, likewise
   bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
   std::optional<Emulator> emulator = {};        ///< of these
 };

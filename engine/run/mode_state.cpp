@@ -16,6 +16,10 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     if (!found.errors) found.errors.emplace();
     archive(*found.errors);
   }
+  if (settings.errors == "widened") {
+    if (!found.wider) found.wider.emplace();
+    archive(*found.wider);
+  }
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   bool emulates = found.emulator.has_value();
   archive(found.has_tried_to_emulate, emulates);
@@ -40,6 +44,7 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
     serialise(archive, found, settings);
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
         (found.errors && !fits(*found.errors, target)) ||
+        (found.wider && !found.wider->are_of(target.photo_summary().size())) ||
         (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });

@@ -101,9 +101,8 @@ std::optional<Alarm> strain_alarm(const ParameterTable& table, const ParameterVa
 }
 
 std::optional<Alarm> coarse_alarm(const Posterior& posterior, const Position& best, const Image& finer) {
-  const Eigen::VectorXd seen =
-      posterior.simulated_summaries({&finer, 1}).col(0).cwiseQuotient(posterior.hand_set_errors());
-  const std::vector<BlockMisfit> misfits = posterior.given(seen).misfit(best);
+  const Eigen::VectorXd seen = posterior.simulated_summaries({&finer, 1}).col(0);
+  const std::vector<BlockMisfit> misfits = posterior.given(posterior.in_errors(seen)).misfit(best);
   const auto worst = std::ranges::max_element(misfits, {}, &BlockMisfit::in_errors);
   if (worst == misfits.end() || !(worst->in_errors > kCoarse)) return std::nullopt;
   return Alarm{

@@ -33,6 +33,7 @@
 #include "engine/run/threads.h"
 #include "engine/run/version.h"
 #include "engine/run/warmup_state.h"
+#include "engine/run/widened_errors.h"
 #include "engine/sampling/kernels.h"
 
 namespace patina {
@@ -224,6 +225,7 @@ ModeFound SamplerRun::find_or_recall() {
   }
   keep_the_finest();
   if (found_->errors) use(*found_->errors);
+  if (found_->wider) use(*found_->wider);
   check_is_where_it_was();
   note_map(*found_);
   shared_.edit_status([&](RunStatus& status) {
@@ -287,6 +289,7 @@ ModeFound SamplerRun::search() {
   ModeFound found =
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
+  if (settings_.errors == "widened") widen(found);
   return found;
 }
 
@@ -335,6 +338,16 @@ void SamplerRun::show(const Position& position) {
 void SamplerRun::use(const CalibratedErrors& errors) {
   posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(errors.likelihood));
   manifest_.photo_fit = errors.fit;
+}
+
+void SamplerRun::use(const WiderErrors& wider) {
+  posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(wider));
+}
+
+void SamplerRun::widen(ModeFound& found) {
+  found.wider = widen_errors(*posteriors_.back(), found.mode.position, settings_, shared_);
+  use(*found.wider);
+  find_again(*posteriors_.back(), found, shared_);
 }
 
 void SamplerRun::sample(const ModeFound& found) {

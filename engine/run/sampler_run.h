@@ -62,6 +62,8 @@ class SamplerRun final : public DrawSource {
   Position coarse_match();  ///< the best match by hand-set errors, at the fewest pixels that show it
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
+  void use(const WiderErrors& wider);
+  void widen(ModeFound& found);  ///< and finds its basins again
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
   void sample(const ModeFound& found);

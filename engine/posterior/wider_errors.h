@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/posterior/simulate.h"
+
+namespace patina {
+
+class Archive;
+
+/// Directions of a summary along which its errors are wider than those set by hand.
+struct WiderErrors {
+  Eigen::MatrixXd directions;  ///< entries x n, orthonormal, in units of the hand-set errors
+  Eigen::VectorXd variances;   ///< n, what each adds to the hand-set errors' 1
+
+  /// Whether they can be of a summary of so many entries: sizes, numbers that are finite, directions.
+  bool are_of(Eigen::Index entries) const;
+  void serialise(Archive& archive);
+};
+
+/// What irregularities do to the summaries of a material at one place: of the photo, whose own nobody knows,
+/// and of renders, which have those of the run's one z. So their covariance counts twice (Wood 2010, "Statistical
+/// inference for noisy nonlinear ecological dynamic systems", where simulations are many and it counts once).
+/// Along its principal axes, as far as they matter.
+/// @param at      its informed coordinates; places and levels are drawn from their prior
+/// @param photos  that are simulated
+WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at, int photos);
+
+}  // namespace patina
