@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search's and the chains'
 
 constexpr int kMovesFar = 50, kMovesNear = 1;  // of a proposal
-constexpr double kProposing = 0.8;  // share of the proposals
-constexpr double kNear = 0.5;       // of these, where the target is jagged
+constexpr double kProposing = 0.8;             // share of the proposals
+constexpr double kNear = 0.25;                 // of these, where the target is jagged
 constexpr double kPathLength = 1.5;
 constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
 constexpr double kAlpha = 0.9;     // continuous moves, where there are levels
@@ -75,7 +75,8 @@ class EmulatedKernel final : public Kernel {
   EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
                  const LogDensity& target, double path_length)
       : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target, path_length), kProposing)) {}
+        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target, path_length),
+                             kProposing)) {}
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {

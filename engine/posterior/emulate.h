@@ -15,7 +15,8 @@ namespace patina {
 
 struct EmulateSettings {
   /// Evaluations of the posterior at most; 0: six for each of the polynomials' monomials, at least 600. What
-  /// is taken of proposals grew no more from three on (leather_6, leather_3, plaster_3, wood_3), to eight or thirty.
+  /// is taken of proposals grew no more from three on (leather_6, leather_3, plaster_3, wood_3), to eight or
+  /// thirty.
   int most = 0;
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.

@@ -164,8 +164,8 @@ std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
   const PosteriorSettings& s = parts_->settings;
   const at::Tensor difference =
       parts_->summary_at(parts_->leaves(values, false), values.discrete) - parts_->photo_summary;
-  return block_misfits(difference * parts_->whitened.inverse_sigmas(),
-                       parts_->model.summary->blocks(), s.gram_sigma, s.mean_sigma);
+  return block_misfits(difference * parts_->whitened.inverse_sigmas(), parts_->model.summary->blocks(),
+                       s.gram_sigma, s.mean_sigma);
 }
 
 Posterior Posterior::given(const Eigen::VectorXd& observed) const {
@@ -179,7 +179,9 @@ Posterior Posterior::given(const Eigen::VectorXd& observed) const {
 
 Eigen::VectorXd Posterior::photo_summary() const { return to_vector(parts_->photo_summary); }
 
-Eigen::VectorXd Posterior::hand_set_errors() const { return to_vector(parts_->whitened.inverse_sigmas()).cwiseInverse(); }
+Eigen::VectorXd Posterior::hand_set_errors() const {
+  return to_vector(parts_->whitened.inverse_sigmas()).cwiseInverse();
+}
 
 std::vector<bool> Posterior::moments() const {
   std::vector<bool> moments;

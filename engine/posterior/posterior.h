@@ -66,8 +66,8 @@ class Posterior final : public LogDensity {
   /// The same with the whole gradient along every coordinate.
   Evaluation evaluate_with_whole_gradient(const Position& position) const;
 
-  /// The summary of the render at a position, in units of the errors: what the photo's is expected to be, with
-  /// errors N(0, I).
+  /// The summary of the render at a position, in units of the errors: what the photo's is expected to be,
+  /// with errors N(0, I).
   Eigen::VectorXd predicted(const Position& position) const;
 
   /// The posterior given another summary in the photo's place, in the units of predicted(). The errors' sds

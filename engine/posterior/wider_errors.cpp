@@ -25,20 +25,20 @@ bool WiderErrors::are_of(Eigen::Index entries) const {
 void WiderErrors::serialise(Archive& archive) { archive(directions, variances); }
 
 WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at, int photos) {
-  constexpr double kTimes = 2;          // the photo's and the render's
-  constexpr double kMatters = 0.02;     // of a hand-set error's variance
+  constexpr double kTimes = 2;       // the photo's and the render's
+  constexpr double kMatters = 0.02;  // of a hand-set error's variance
   const Eigen::VectorXd centre = at.continuous(simulator.posterior.informed());
   const Region there{centre, Eigen::MatrixXd::Zero(centre.size(), centre.size())};
-  Eigen::MatrixXd scatter =
-      simulator.posterior.hand_set_errors().cwiseInverse().asDiagonal() *
-      simulate(simulator, there, photos, kStream).summaries;
+  Eigen::MatrixXd scatter = simulator.posterior.hand_set_errors().cwiseInverse().asDiagonal() *
+                            simulate(simulator, there, photos, kStream).summaries;
   scatter.colwise() -= scatter.rowwise().mean().eval();
   scatter *= std::sqrt(kTimes / (photos - 1));
   // Entries are many and photos few: the covariance's axes by those of the products between photos.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scatter.transpose() * scatter);
   const Eigen::Index n = (axes.eigenvalues().array() > kMatters).count();
   const Eigen::VectorXd variances = axes.eigenvalues().tail(n);
-  return {scatter * axes.eigenvectors().rightCols(n) * variances.cwiseSqrt().cwiseInverse().asDiagonal(), variances};
+  return {scatter * axes.eigenvectors().rightCols(n) * variances.cwiseSqrt().cwiseInverse().asDiagonal(),
+          variances};
 }
 
 }  // namespace patina

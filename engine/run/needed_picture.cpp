@@ -174,8 +174,8 @@ NeededPicture needed_picture(const RunSettings& settings, const Image& photo, co
                              int pairs, const std::function<void(const std::string&)>& progress) {
   if (settings.errors != "paper")
     throw UserError(
-        "Pictures are compared for errors set by hand; calibrated ones were learnt at one size: fit "
-        "with --errors paper.");
+        "Pictures are compared for errors set by hand; this run's were measured at its own size: fit with "
+        "--errors paper.");
   const Comparer comparer(settings, photo, draws, pairs);
   NeededPicture needed;
   needed.resolution = settings.resolution;

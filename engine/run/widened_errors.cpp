@@ -12,7 +12,7 @@ namespace patina {
 
 WiderErrors widen_errors(const Posterior& posterior, const Position& match, const RunSettings& settings,
                          RunShared& shared) {
-  constexpr int kPhotos = 48;          // of a dozen directions that matter
+  constexpr int kPhotos = 48;            // of a dozen directions that matter
   const Camera camera{.least_side = 0};  // no predictor looks at these photos
   const auto pool = make_pool(posterior.table(), kSimulatedSeeds);
   shared.edit_status([](RunStatus& status) { status.message = "measuring what irregularities do"; });

@@ -93,8 +93,8 @@ TEST(WiderErrors, LeaveAPredictionItsOwnBestExplanationAndMisfitsInHandSetErrors
   EXPECT_DOUBLE_EQ(posterior.misfit(at).front().in_errors, by_hand.misfit(at).front().in_errors);
 }
 
-constexpr double kSmall = 0.002;               // an error beside which irregularities matter at 16 pixels
-constexpr int kPhotos = 400;                   // a variance of so many is within 7 %
+constexpr double kSmall = 0.002;  // an error beside which irregularities matter at 16 pixels
+constexpr int kPhotos = 400;      // a variance of so many is within 7 %
 const Camera kSmallCamera{.least_side = 32};
 
 WiderErrors of_irregularities(const Posterior& posterior, const Position& at, int photos) {

@@ -37,6 +37,17 @@ TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
     EXPECT_NE(alarm->sentence.find(part), std::string::npos) << part << " in: " << alarm->sentence;
 }
 
+TEST(ApartAlarm, NamesWiderErrorsWhereTheyAreNotInForce) {
+  RunSettings settings;
+  const RunSummary apart = summary_of(1.3, kApartDraws);
+  EXPECT_NE(apart_alarm(settings, grain_and_rough(), apart)->sentence.find("--errors widened"),
+            std::string::npos);
+  settings.errors = "widened";
+  const std::optional<Alarm> alarm = apart_alarm(settings, grain_and_rough(), apart);
+  ASSERT_TRUE(alarm);
+  EXPECT_EQ(alarm->sentence.find("--errors widened"), std::string::npos);
+}
+
 TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) {
   const RunSummary apart = summary_of(1.3, kApartDraws);
   EXPECT_FALSE(apart_alarm({}, grain_and_rough(), summary_of(1.04, kApartDraws))) << "chains agree";

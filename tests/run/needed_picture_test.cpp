@@ -101,8 +101,10 @@ TEST_F(NeededPictureTest, RefusesWhatCannotBeCompared) {
   EXPECT_NE(refusal().find("the version and the network"), std::string::npos);
   draws.resize(10);
   EXPECT_NE(refusal().find("draw more"), std::string::npos);
-  settings.errors = "calibrated";
-  EXPECT_NE(refusal().find("--errors paper"), std::string::npos);
+  for (const char* measured : {"widened", "calibrated"}) {
+    settings.errors = measured;
+    EXPECT_NE(refusal().find("--errors paper"), std::string::npos);
+  }
 }
 
 }  // namespace
