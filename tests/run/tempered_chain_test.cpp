@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "engine/diagnostics/convergence.h"
 #include "tests/run/cheap_chains.h"
@@ -20,7 +21,7 @@ Evaluation two_modes(const Position& p) {
   const double top = std::max(logs[0], logs[1]), sum = std::exp(logs[0] - top) + std::exp(logs[1] - top);
   Eigen::VectorXd gradient = -x;
   for (int k = 0; k < 2; ++k) gradient -= std::exp(logs[k] - top) / sum * (x - kModes[k]) / (kWidth * kWidth);
-  return {-0.5 * x.squaredNorm() + top + std::log(sum), gradient};
+  return {-0.5 * x.squaredNorm() + top + std::log(sum), std::move(gradient)};
 }
 
 /// Posterior probability of the first mode: prior predictive density of each, N(mode; 0, (1 + width^2) I).
