@@ -39,9 +39,9 @@ struct RunSettings {
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
   std::string device = "cpu";         ///< that it runs on (engine/summary/device.h)
-  /// What renders may be off by, of error_names(): "paper", set by hand; "widened", and by what irregularities
-  /// do at the best match (posterior/wider_errors.h); "calibrated", learnt from simulated photos
-  /// (posterior/calibrate.h).
+  /// What renders may be off by, of error_names(): "paper", set by hand; "widened", and by what
+  /// irregularities do at the best match (posterior/wider_errors.h); "calibrated", learnt from simulated
+  /// photos (posterior/calibrate.h).
   std::string errors = "paper";
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
