@@ -90,14 +90,14 @@ struct Posterior::Parts {
     return evaluation;
   }
 
-  /// Render minus photo in units of the errors, with its graph.
-  at::Tensor residual(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    return whitened(summary_at(parameters, discrete) - photo_summary);
+  /// Render minus photo, with its graph.
+  at::Tensor difference(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
+    return summary_at(parameters, discrete) - photo_summary;
   }
 
   /// Half the chi-square of the render's summary, a double scalar with its graph.
   at::Tensor misfit(const ParameterTensors& parameters, const std::vector<int>& discrete) const {
-    return residual(parameters, discrete).to(at::kDouble).square().sum() * 0.5;
+    return whitened(difference(parameters, discrete)).to(at::kDouble).square().sum() * 0.5;
   }
 
   /// Parameter values as leaves of a graph; only those whose gradient is wanted ask for one.
@@ -162,8 +162,7 @@ std::vector<BlockMisfit> Posterior::misfit(const Position& position) const {
   const at::NoGradGuard no_grad;
   const ParameterValues values = parts_->space.values(position);
   const PosteriorSettings& s = parts_->settings;
-  const at::Tensor difference =
-      parts_->summary_at(parts_->leaves(values, false), values.discrete) - parts_->photo_summary;
+  const at::Tensor difference = parts_->difference(parts_->leaves(values, false), values.discrete);
   return block_misfits(difference * parts_->whitened.inverse_sigmas(), parts_->model.summary->blocks(),
                        s.gram_sigma, s.mean_sigma);
 }

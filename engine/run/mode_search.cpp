@@ -75,10 +75,14 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
   shared.edit_status([&](RunStatus& status) {
     status.message = basins_in_words(result.basins) + ", measuring how far good matches spread";
   });
-  const LogDensity& target = *targets.back();
+  return mode_of(posterior, *targets.back(), best, result.basins);
+}
+
+ModeFound mode_of(const Posterior& posterior, const LogDensity& target, const OptimizerResult& best,
+                  const std::vector<OptimizerResult>& basins) {
   ModeFound found{{best.position, best.evaluation},
                   std::make_shared<const Metric>(laplace_covariance(target, best.position))};
-  for (const OptimizerResult& basin : result.basins)
+  for (const OptimizerResult& basin : basins)
     found.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
   return found;
 }

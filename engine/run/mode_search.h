@@ -40,4 +40,9 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
                     const std::vector<Position>& guesses, RunShared& shared,
                     const std::function<void(const MapPoint& best)>& keep);
 
+/// What a search ended in, as chains want it: with Laplace's covariance at the best.
+/// @param target  the posterior, under control
+ModeFound mode_of(const Posterior& posterior, const LogDensity& target, const OptimizerResult& best,
+                  const std::vector<OptimizerResult>& basins);
+
 }  // namespace patina

@@ -16,9 +16,9 @@
 #include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/first_line.h"
+#include "engine/run/first_manifest.h"
 #include "engine/run/manifest_phase.h"
 #include "engine/run/mode_state.h"
-#include "engine/run/network_checksum.h"
 #include "engine/run/posterior_settings.h"
 #include "engine/run/predicted_start.h"
 #include "engine/run/run_alarms.h"
@@ -31,34 +31,12 @@
 #include "engine/run/stop_watcher.h"
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
-#include "engine/run/version.h"
 #include "engine/run/warmup_state.h"
 #include "engine/run/widened_errors.h"
 #include "engine/sampling/kernels.h"
 
 namespace patina {
 namespace {
-
-Manifest first_manifest(const RunSettings& settings, const Photo& photo, const ParameterTable& table) {
-  Manifest manifest;
-  manifest.program = program_version();
-  manifest.settings = settings;
-  manifest.table = table;
-  manifest.photo_sha256 = photo.sha256;
-  manifest.photo_width = photo.original_width;
-  manifest.photo_height = photo.original_height;
-  // An image that did not come from a file has no crop.
-  const bool chosen =
-      photo.crop.side > 0 && photo.crop != central_crop(photo.original_width, photo.original_height);
-  if (chosen) manifest.crop = photo.crop;
-  manifest.photo_warnings = photo.warnings;
-  manifest.network_sha256 = network_checksum(settings.network);
-  const PosteriorSettings posterior;
-  manifest.gram_sigma = posterior.gram_sigma;
-  manifest.mean_sigma = posterior.mean_sigma;
-  manifest.phase = RunPhase::searching;
-  return manifest;
-}
 
 void check_free_parameters(const Posterior& posterior) {
   if (posterior.dimension() == 0)
@@ -289,7 +267,11 @@ ModeFound SamplerRun::search() {
   ModeFound found =
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  if (settings_.errors == "widened") widen(found);
+  if (settings_.errors == "widened") {
+    found = widened(*posteriors_.back(), found, settings_, shared_);
+    use(*found.wider);
+    show(found.mode.position);
+  }
   return found;
 }
 
@@ -342,12 +324,6 @@ void SamplerRun::use(const CalibratedErrors& errors) {
 
 void SamplerRun::use(const WiderErrors& wider) {
   posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(wider));
-}
-
-void SamplerRun::widen(ModeFound& found) {
-  found.wider = widen_errors(*posteriors_.back(), found.mode.position, settings_, shared_);
-  use(*found.wider);
-  find_again(*posteriors_.back(), found, shared_);
 }
 
 void SamplerRun::sample(const ModeFound& found) {

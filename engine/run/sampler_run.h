@@ -63,7 +63,6 @@ class SamplerRun final : public DrawSource {
   void show(const Position& position);
   void use(const CalibratedErrors& errors);
   void use(const WiderErrors& wider);
-  void widen(ModeFound& found);  ///< and finds its basins again
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
   void sample(const ModeFound& found);

@@ -47,10 +47,8 @@ bool edit_errors(std::string& errors) {
       "are as wide as such matches usually need");
   offer("widened", "Wider by what irregularities do",
         "As usual, and wider where other grain of the same material changes what is compared: a photo's own "
-        "nobody "
-        "knows. Simulated photos of the best match measure it in a few seconds. Intervals are wider, and "
-        "draws of "
-        "leather, plaster and wood agree sooner");
+        "nobody knows. Simulated photos of the best match measure it in a few seconds. Intervals are wider, "
+        "and draws of leather, plaster and wood agree sooner");
   offer(
       "calibrated", "Learnt from simulated photos",
       "A few hundred photos are simulated in place of a search: they tell how much a material's "

@@ -7,6 +7,7 @@
 set -euo pipefail
 bin=$(realpath "$1") rounds=${2:-5}
 here=$(realpath "$(dirname "$0")/../..") old=${3:-}
+[[ -x $bin/bench-render ]] || { echo "There is no bench-render in $bin: build the preset bench first." >&2; exit 1; }
 if [[ -z $old ]]; then
   old=$(mktemp -d)
   trap 'git -C "$here" worktree remove --force "$old"; rm -rf "$old"' EXIT

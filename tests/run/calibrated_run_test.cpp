@@ -21,11 +21,6 @@ class CalibratedRunTest : public RunTest {
     calibrated.resolution = 16;
     return calibrated;
   }
-
-  /// The draws of a chain file.
-  std::vector<std::string> rows(const std::filesystem::path& folder) const {
-    return rows_of(folder / "chain-1.csv");
-  }
 };
 
 TEST_F(CalibratedRunTest, DrawsAndSaysHowThePhotoFits) {
@@ -39,23 +34,6 @@ TEST_F(CalibratedRunTest, DrawsAndSaysHowThePhotoFits) {
   ASSERT_TRUE(manifest.photo_fit);
   EXPECT_GE(manifest.photo_fit->widening, 1);
   EXPECT_TRUE(manifest.map);
-}
-
-TEST_F(CalibratedRunTest, ThatIsTakenUpAgainGoesOnToTheDrawsOfAnUndisturbedOne) {
-  RunSettings asked = calibrated();
-  draws_to_the_end(*start_run(asked, photo(), folder_ / "undisturbed"));
-  asked.draws = 5;
-  draws_to_the_end(*start(asked));
-  asked.draws = calibrated().draws;
-  draws_to_the_end(*resume_run(asked, photo(), directory()));
-  EXPECT_EQ(rows(directory()), rows(folder_ / "undisturbed"));
-}
-
-TEST_F(CalibratedRunTest, OfAnotherErrorModelIsNotTakenUp) {
-  draws_to_the_end(*start(calibrated()));
-  RunSettings other = calibrated();
-  other.errors = "paper";
-  EXPECT_THROW(resume_run(other, photo(), directory()), UserError);
 }
 
 TEST_F(CalibratedRunTest, AnUnknownErrorModelIsRefusedWithThoseThatAreKnown) {

@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "engine/error.h"
 #include "engine/posterior/posterior.h"
 #include "engine/run/manifest.h"
 #include "engine/run/mode_state.h"
@@ -16,31 +13,11 @@
 namespace patina {
 namespace {
 
-class WidenedRunTest : public RunTest {
- protected:
-  static RunSettings widened() {
-    RunSettings widened = settings();
-    widened.errors = "widened";
-    return widened;
-  }
-
-  std::vector<std::string> rows(const std::filesystem::path& folder) const {
-    return rows_of(folder / "chain-1.csv");
-  }
-};
-
-TEST_F(WidenedRunTest, ThatIsTakenUpAgainGoesOnToTheDrawsOfAnUndisturbedOne) {
-  RunSettings asked = widened();
-  draws_to_the_end(*start_run(asked, photo(), folder_ / "undisturbed"));
-  asked.draws = 5;
-  draws_to_the_end(*start(asked));
-  asked.draws = widened().draws;
-  draws_to_the_end(*resume_run(asked, photo(), directory()));
-  EXPECT_EQ(rows(directory()), rows(folder_ / "undisturbed"));
-}
+class WidenedRunTest : public RunTest {};
 
 TEST_F(WidenedRunTest, KeepsWhatItWidenedByAndItsModeIsUnderIt) {
-  RunSettings asked = widened();
+  RunSettings asked = settings();
+  asked.errors = "widened";
   asked.material = "leather";
   asked.map_only = true;
   draws_to_the_end(*start(asked));
@@ -54,13 +31,6 @@ TEST_F(WidenedRunTest, KeepsWhatItWidenedByAndItsModeIsUnderIt) {
   EXPECT_NEAR(found->mode.evaluation.log_density, lp, 1e-3 * (1 + std::abs(lp)));
   EXPECT_GE(lp, by_hand.value(mode).log_density);
   EXPECT_EQ(manifest.map->lp, found->mode.evaluation.log_density);
-}
-
-TEST_F(WidenedRunTest, OfAnotherErrorModelIsNotTakenUp) {
-  draws_to_the_end(*start(widened()));
-  RunSettings other = widened();
-  other.errors = "paper";
-  EXPECT_THROW(resume_run(other, photo(), directory()), UserError);
 }
 
 }  // namespace
