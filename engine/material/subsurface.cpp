@@ -1,11 +1,14 @@
 #include "engine/material/subsurface.h"
 
 #include <ATen/TensorOperators.h>
-#include <ATen/ops/arange.h>
 #include <ATen/ops/rsub.h>
+#include <ATen/ops/tensor.h>
 
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "engine/material/quadrature.h"
 
 namespace patina {
 namespace {
@@ -13,7 +16,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kIndex = 1.5;
 constexpr double kEntering = 1 - (kIndex - 1) * (kIndex - 1) / ((kIndex + 1) * (kIndex + 1));
-constexpr int kNodes = 64;  // of each quadrature
 
 /// Fresnel reflectance of unpolarised light from within, at the cosine of its angle to the normal.
 double reflectance_within(double cosine) {
@@ -36,10 +38,40 @@ double reflectance_moment(int k) {
   return sum;
 }
 
-/// The middles of kNodes equal parts of [0,1].
-at::Tensor nodes(const at::TensorOptions& options) {
-  return (at::arange(kNodes, options.requires_grad(false)) + 0.5) / kNodes;
+const Quadrature& quadrature() {
+  static const Quadrature rule = gauss_legendre(16);
+  return rule;
 }
+
+/// Of the beam, where light first scatters, by mean free paths: as many for each share of the light, but
+/// denser at the surface, which near the beam is all that counts, and far below, which far from it is.
+struct FirstEvents {
+  std::vector<double> depths, weights;
+  FirstEvents() {
+    for (std::size_t i = 0; i < quadrature().nodes.size(); ++i) {
+      const double v = quadrature().nodes[i];  // v^2 (3 - 2 v) of the light scatters above
+      depths.push_back(-std::log((1 - v) * (1 - v) * (1 + 2 * v)));
+      weights.push_back(quadrature().weights[i] * 6 * v * (1 - v));
+    }
+  }
+};
+
+/// Angles between the surface at a point of it and the beam's point that light comes from, of those at which
+/// light can leave: denser where that begins, as what leaves grows like a square root.
+struct WaysOut {
+  std::vector<double> cosines;  ///< to the normal
+  std::vector<double> lengths;  ///< over the radius: down the beam and back up
+  std::vector<double> weights;  ///< with the cosine and what is not reflected
+  WaysOut() {
+    const double least = std::acos(1 / kIndex), range = kPi / 2 - least;
+    for (std::size_t i = 0; i < quadrature().nodes.size(); ++i) {
+      const double v = quadrature().nodes[i], angle = least + range * v * v, cosine = std::sin(angle);
+      cosines.push_back(cosine);
+      lengths.push_back((1 + cosine) / std::cos(angle));
+      weights.push_back(quadrature().weights[i] * 2 * v * range * cosine * (1 - reflectance_within(cosine)));
+    }
+  }
+};
 
 /// Fluence and flux through the surface of a point source at a distance, over 1 / (4 pi).
 struct Source {
@@ -60,7 +92,9 @@ at::Tensor multiple_scattering(const Medium& medium, const at::Tensor& radius) {
   const double mismatch = (1 + 3 * second) / (1 - 2 * first);
 
   // Real sources where the beam first scatters, and their images above the extrapolated boundary.
-  const at::Tensor depth = -at::rsub(nodes(radius.options()), 1).log() / extinction;
+  static const FirstEvents events;
+  const at::TensorOptions constant = radius.options().requires_grad(false);
+  const at::Tensor depth = at::tensor(events.depths, constant) / extinction;
   const at::Tensor image_depth = depth + 4 * mismatch * diffusion;
   const at::Tensor square_radius = radius.square().unsqueeze(1);
   const at::Tensor distance = (square_radius + depth.square()).sqrt();
@@ -70,22 +104,20 @@ at::Tensor multiple_scattering(const Medium& medium, const at::Tensor& radius) {
   const at::Tensor exitance = (1 - 2 * first) / 4 / diffusion * (real.fluence - image.fluence) +
                               (1 - 3 * second) / 2 * (real.flux + image.flux);
   const at::Tensor correction = at::rsub((-2 * extinction * (distance + depth)).exp(), 1);
-  return (exitance * correction).mean(1) * albedo.square() * (kEntering / (4 * kPi));
+  const at::Tensor light = (exitance * correction).mv(at::tensor(events.weights, constant));
+  return light * albedo.square() * (kEntering / (4 * kPi));
 }
 
 at::Tensor single_scattering(const Medium& medium, const at::Tensor& radius) {
-  // The angle at the surface point between the surface and the beam's point of depth radius tan(angle).
-  const at::Tensor angle = nodes(radius.options()) * (kPi / 2);
-  const at::Tensor cosine = angle.sin();  // to the normal
-  at::Tensor leaving = cosine.detach().clone();
-  for (int i = 0; i < kNodes; ++i) leaving[i] = 1 - reflectance_within(cosine[i].item<double>());
-  const at::Tensor path = radius.unsqueeze(1) * ((1 + cosine) / angle.cos());
-
+  static const WaysOut ways;
+  const at::TensorOptions constant = radius.options().requires_grad(false);
+  const at::Tensor cosine = at::tensor(ways.cosines, constant);
+  const at::Tensor path = radius.unsqueeze(1) * at::tensor(ways.lengths, constant);
   const at::Tensor g = medium.anisotropy, square_g = g.square();
   const at::Tensor base = 1 + square_g + 2 * g * cosine;
   const at::Tensor phase = at::rsub(square_g, 1) / (base * base.sqrt()) / (4 * kPi);
   const at::Tensor reached = (-(medium.scattering + medium.absorption) * path).exp();
-  return (reached * (phase * cosine * leaving)).mean(1) * medium.scattering / radius * (kEntering * kPi / 2);
+  return reached.mv(phase * at::tensor(ways.weights, constant)) * medium.scattering / radius * kEntering;
 }
 
 }  // namespace patina

@@ -1,5 +1,6 @@
 #include <ATen/TensorOperators.h>
 #include <ATen/ops/arange.h>
+#include <ATen/ops/zeros_like.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -133,6 +134,38 @@ TEST(Translucent, MultipleScatteringKnowsScatteringAndAnisotropyByTheirProductAl
                    other = multiple_scattering(medium({6, 0.05, 0.2}), radius);
   EXPECT_LT((one / similar - 1).abs().max().item<double>(), 1e-12);
   EXPECT_GT((one / other - 1).abs().max().item<double>(), 0.1);
+}
+
+/// Single scattering as the mean of so many angles that it is exact.
+at::Tensor by_many_angles(const Coefficients& c, const at::Tensor& radius) {
+  constexpr int kAngles = 20000;
+  const auto leaving = [](double cosine) {
+    const double square_sine = 2.25 * (1 - cosine * cosine);
+    if (square_sine >= 1) return 0.0;
+    const double outside = std::sqrt(1 - square_sine);
+    const double p = (cosine - 1.5 * outside) / (cosine + 1.5 * outside),
+                 s = (1.5 * cosine - outside) / (1.5 * cosine + outside);
+    return 1 - (p * p + s * s) / 2;
+  };
+  at::Tensor sum = at::zeros_like(radius);
+  for (int i = 0; i < kAngles; ++i) {
+    const double angle = (i + 0.5) / kAngles * std::numbers::pi / 2, cosine = std::sin(angle);
+    if (leaving(cosine) == 0) continue;
+    const double g = c.anisotropy, base = 1 + g * g + 2 * g * cosine;
+    const double phase = (1 - g * g) / (base * std::sqrt(base)) / (4 * std::numbers::pi);
+    const at::Tensor path = radius * ((1 + cosine) / std::cos(angle));
+    sum += (-(c.scattering + c.absorption) * path).exp() * (phase * cosine * leaving(cosine));
+  }
+  return sum / radius * (0.96 * c.scattering * std::numbers::pi / 2 / kAngles);
+}
+
+TEST(Translucent, SixteenNodesAreEnoughForSingleScattering) {
+  const at::Tensor radius = at::arange(1, 60, at::kDouble) / 8;
+  for (const Coefficients& c : {Coefficients{2, 0.02, 0.3}, {10, 0.2, -0.9}, {0.2, 0.001, 0.9}}) {
+    const at::Tensor all = multiple_scattering(medium(c), radius) + single_scattering(medium(c), radius);
+    const at::Tensor error = single_scattering(medium(c), radius) - by_many_angles(c, radius);
+    EXPECT_LT((error / all).abs().max().item<double>(), 5e-4) << c.scattering;
+  }
 }
 
 TEST(Translucent, SimilarMediaLookNearlyAlikeButNotQuite) {
