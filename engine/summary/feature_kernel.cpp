@@ -27,12 +27,13 @@ void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size
   PATINA_ON_TARGET(rectify_backward(gradient, y, size, to));
 }
 
-void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* to) {
-  PATINA_ON_TARGET(gram(x, pixels, channels, to));
+void moments(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* means, float* products) {
+  PATINA_ON_TARGET(moments(x, pixels, channels, means, products));
 }
 
-void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix, float* to) {
-  PATINA_ON_TARGET(times(x, pixels, channels, matrix, to));
+void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix,
+           const float* row, float* to) {
+  PATINA_ON_TARGET(times(x, pixels, channels, matrix, row, to));
 }
 
 }  // namespace patina::features

@@ -26,11 +26,13 @@ void halve_backward(const float* gradient, Shape shape, float* to);
 /// gradient where y > 0, else 0; y = max(x, 0).
 void rectify_backward(const float* gradient, const float* y, std::ptrdiff_t size, float* to);
 
-/// Means over the pixels of the products of any two channels. For few channels; a BLAS is better from about
-/// 100.
-/// @param x  [pixels, channels]   @param to  [channels, channels], symmetric
-void gram(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* to);
-/// x times a matrix. @param matrix  [channels, channels]   @param to  [pixels, channels]
-void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix, float* to);
+/// Means over the pixels of each channel and of the products of any two. For few channels; a BLAS is better
+/// from about 100.
+/// @param x  [pixels, channels]   @param means  [channels]   @param products  [channels, channels], symmetric
+void moments(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, float* means, float* products);
+/// x times a matrix, and a row added to each of its rows.
+/// @param matrix  [channels, channels]   @param row  [channels]   @param to  [pixels, channels]
+void times(const float* x, std::ptrdiff_t pixels, std::ptrdiff_t channels, const float* matrix,
+           const float* row, float* to);
 
 }  // namespace patina::features

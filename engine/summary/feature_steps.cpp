@@ -132,7 +132,10 @@ at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x) {
 }
 
 at::Tensor average_pool(const at::Tensor& x) {
-  return x.is_cpu() ? AveragePool::apply(x) : average_pool_by_library(x);
+  if (!x.is_cpu()) return average_pool_by_library(x);
+  if (x.is_contiguous(kChannelsLast) || !x.is_contiguous()) return AveragePool::apply(x);
+  const at::Tensor planes = x.flatten(0, 1).unsqueeze(1);  // whose only channel is the last one, too
+  return AveragePool::apply(planes).view({x.size(0), x.size(1), x.size(2) / 2, x.size(3) / 2});
 }
 
 }  // namespace patina

@@ -26,7 +26,8 @@ struct FrozenConvolution {
 /// [ReLU] (weight * x + bias).
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x);
 
-/// Means of 2 x 2 blocks, stride 2; an odd last row or column is dropped.
+/// Means of 2 x 2 blocks, stride 2; an odd last row or column is dropped. Of a map in planes, as images are,
+/// it makes planes.
 at::Tensor average_pool(const at::Tensor& x);
 
 }  // namespace patina

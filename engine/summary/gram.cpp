@@ -1,16 +1,21 @@
 #include "engine/summary/gram.h"
 
 #include <ATen/TensorOperators.h>
+#include <ATen/ops/addmm.h>
 #include <ATen/ops/cat.h>
 #include <ATen/ops/empty.h>
 #include <ATen/ops/empty_like.h>
+#include <ATen/ops/mean.h>
 #include <ATen/ops/mm.h>
 #include <ATen/ops/triu_indices.h>
 #include <ATen/ops/where.h>
-#include <ATen/ops/zeros.h>
+#include <c10/core/InferenceMode.h>
 #include <torch/csrc/autograd/custom_function.h>
 
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <tuple>
 
 #include "engine/summary/feature_kernel.h"
 
@@ -26,10 +31,21 @@ struct Triangle {
 };
 
 /// @param like  a tensor of the weights' type and device
-Triangle upper_triangle(std::int64_t channels, const at::Tensor& like) {
+Triangle make_triangle(std::int64_t channels, const at::Tensor& like) {
+  const c10::InferenceMode normal_mode(false);  // a tensor born otherwise could never serve a gradient
   const at::Tensor upper = at::triu_indices(channels, channels, 0, like.options().dtype(at::kLong));
   return {upper[0] * channels + upper[1],
           at::where(upper[0] == upper[1], 1.0, std::numbers::sqrt2).to(like.scalar_type())};
+}
+
+/// Kept: a network has a handful. Safe to call from several threads.
+Triangle upper_triangle(std::int64_t channels, const at::Tensor& like) {
+  static std::mutex mutex;
+  static std::map<std::tuple<std::int64_t, at::DeviceType, at::ScalarType>, Triangle> kept;
+  const std::lock_guard lock(mutex);
+  const auto [place, is_new] = kept.try_emplace({channels, like.device().type(), like.scalar_type()});
+  if (is_new) place->second = make_triangle(channels, like);
+  return place->second;
 }
 
 /// On the processor, up to so many channels our own products are faster than a BLAS, which is made for
@@ -40,82 +56,91 @@ bool is_small(const at::Tensor& pixels) {
   return pixels.is_cpu() && pixels.size(1) <= kFewChannels && pixels.scalar_type() == at::kFloat;
 }
 
-/// @param pixels  [pixels, channels]   @param gram  [channels, channels], written
-void gram_matrix(const at::Tensor& pixels, at::Tensor gram) {
-  if (is_small(pixels))
-    features::gram(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), gram.data_ptr<float>());
-  else
-    at::mm_out(gram, pixels.t(), pixels).div_(static_cast<double>(pixels.size(0)));
+/// @param pixels  [pixels, channels]   @param means  [channels], written
+/// @param products  [channels, channels], written
+void moments_of(const at::Tensor& pixels, at::Tensor means, at::Tensor products) {
+  if (is_small(pixels)) {
+    features::moments(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), means.data_ptr<float>(),
+                      products.data_ptr<float>());
+  } else {
+    at::mm_out(products, pixels.t(), pixels).div_(static_cast<double>(pixels.size(0)));
+    at::mean_out(means, pixels, 0);
+  }
 }
 
-/// @param pixels  [pixels, channels]   @param matrix  [channels, channels]   @param result  as pixels,
-/// written
-void product(const at::Tensor& pixels, const at::Tensor& matrix, at::Tensor result) {
+/// @param pixels  [pixels, channels]   @param matrix  [channels, channels]   @param row  [channels]
+/// @param result  as pixels, written
+void product(const at::Tensor& pixels, const at::Tensor& matrix, const at::Tensor& row, at::Tensor result) {
   if (is_small(pixels))
     features::times(pixels.data_ptr<float>(), pixels.size(0), pixels.size(1), matrix.data_ptr<float>(),
-                    result.data_ptr<float>());
+                    row.data_ptr<float>(), result.data_ptr<float>());
   else
-    at::mm_out(result, pixels, matrix);
+    at::addmm_out(result, row, pixels, matrix);
 }
 
-/// gram_vector() with its gradient as one product: with W that by G, F (W + W^T) is that by F.
-struct GramVector : torch::autograd::Function<GramVector> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& features) {
+/// The means [k, channels] of a feature map [k, channels, h, w] and those of products [k, channels,
+/// channels], with the gradient of both as one product: with W that by the products and m that by the means,
+/// it is F (W + W^T) + m, over the pixels.
+struct Moments : torch::autograd::Function<Moments> {
+  static variable_list forward(AutogradContext* context, const at::Tensor& features) {
     const std::int64_t images = features.size(0), channels = features.size(1);
     const at::Tensor pixels = features.permute({0, 2, 3, 1})
                                   .reshape({images, -1, channels})
                                   .contiguous();  // no copy if channels last
     context->save_for_backward({pixels});
     context->saved_data["rows"] = features.size(2);
-    const at::Tensor grams = at::empty({images, channels, channels}, pixels.options());
-    for (std::int64_t i = 0; i < images; ++i) gram_matrix(pixels[i], grams[i]);
-    const Triangle triangle = upper_triangle(channels, features);
-    return grams.view({images, -1}).index_select(1, triangle.places) * triangle.weights;
+    const at::Tensor means = at::empty({images, channels}, pixels.options()),
+                     products = at::empty({images, channels, channels}, pixels.options());
+    for (std::int64_t i = 0; i < images; ++i) moments_of(pixels[i], means[i], products[i]);
+    return {means, products};
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const at::Tensor pixels = context->get_saved_variables().front();
     const std::int64_t images = pixels.size(0), channels = pixels.size(2);
-    const Triangle triangle = upper_triangle(channels, pixels);
-    const at::Tensor by_gram = at::zeros({images, channels * channels}, pixels.options())
-                                   .index_copy(1, triangle.places, outputs.front() * triangle.weights)
-                                   .view({images, channels, channels});
-    const at::Tensor twice =
-        ((by_gram + by_gram.transpose(1, 2)) / static_cast<double>(pixels.size(1))).contiguous();
-    const at::Tensor by_pixels = at::empty_like(pixels);
-    for (std::int64_t i = 0; i < images; ++i) product(pixels[i], twice[i], by_pixels[i]);
+    const auto count = static_cast<double>(pixels.size(1));
+    const at::Tensor by_products = outputs[1];
+    const at::Tensor twice = ((by_products + by_products.transpose(1, 2)) / count).contiguous(),
+                     row = (outputs[0] / count).contiguous(), by_pixels = at::empty_like(pixels);
+    for (std::int64_t i = 0; i < images; ++i) product(pixels[i], twice[i], row[i], by_pixels[i]);
     return {
         by_pixels.view({images, context->saved_data["rows"].toInt(), -1, channels}).permute({0, 3, 1, 2})};
   }
 };
 
-/// What the features' means alone make of a Gram matrix, as gram_vector() has it.
-at::Tensor gram_of_means(const at::Tensor& features) {
-  const at::Tensor means = features.mean({2, 3});
-  const Triangle triangle = upper_triangle(features.size(1), features);
-  const at::Tensor products = means.unsqueeze(2) * means.unsqueeze(1);
-  return products.flatten(1).index_select(1, triangle.places) * triangle.weights;
+struct MomentsOf {
+  at::Tensor means, products;
+  explicit MomentsOf(const at::Tensor& features) {
+    const variable_list both = Moments::apply(features);
+    means = both[0];
+    products = both[1];
+  }
+};
+
+/// @param matrices  [k, c, c], symmetric   @return [k, c (c + 1) / 2], as gram_vector() has it
+at::Tensor as_vector(const at::Tensor& matrices) {
+  const Triangle triangle = upper_triangle(matrices.size(1), matrices);
+  return matrices.flatten(1).index_select(1, triangle.places) * triangle.weights;
+}
+
+at::Tensor covariances(const MomentsOf& moments) {
+  return as_vector(moments.products - moments.means.unsqueeze(2) * moments.means.unsqueeze(1));
 }
 
 }  // namespace
 
-at::Tensor gram_vector(const at::Tensor& features) { return GramVector::apply(features); }
+at::Tensor gram_vector(const at::Tensor& features) { return as_vector(MomentsOf(features).products); }
 
-at::Tensor covariance_vector(const at::Tensor& features) {
-  return gram_vector(features) - gram_of_means(features);
-}
+at::Tensor covariance_vector(const at::Tensor& features) { return covariances(MomentsOf(features)); }
 
 at::Tensor GramMatrices::of(const at::Tensor& images) const {
-  std::vector<at::Tensor> grams, covariances;
+  std::vector<at::Tensor> grams, about_means;
   for (const at::Tensor& features : network_.features(images)) {
-    if (about_ == About::mean) {
-      covariances.push_back(covariance_vector(features));
-      continue;
-    }
-    grams.push_back(gram_vector(features));
-    if (about_ == About::both) covariances.push_back(grams.back() - gram_of_means(features));
+    const MomentsOf moments(features);
+    if (about_ != About::mean) grams.push_back(as_vector(moments.products));
+    if (about_ != About::zero) about_means.push_back(covariances(moments));
   }
-  grams.insert(grams.end(), covariances.begin(), covariances.end());
+  grams.insert(grams.end(), about_means.begin(), about_means.end());
   return at::cat(grams, 1).to(at::kCPU);
 }
 

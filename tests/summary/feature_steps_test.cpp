@@ -91,11 +91,14 @@ TEST(FeatureSteps, InBfloat16AConvolutionIsOffByItsRoundingAndNoMore) {
   }
 }
 
-TEST(FeatureSteps, PoolingEqualsThatOfOtherDevicesAtEvenAndOddSizes) {
-  for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{8, 6}, {7, 9}, {2, 3}})
-    expect_same_step([](const at::Tensor& x) { return average_pool(x); },
-                     [](const at::Tensor& x) { return average_pool_by_library(x); },
-                     random_tensor({1, 5, rows, columns}, 4), std::to_string(rows) + " rows");
+TEST(FeatureSteps, PoolingEqualsThatOfOtherDevicesAtEvenAndOddSizesInPlanesAndWithChannelsLast) {
+  for (const auto& [rows, columns] :
+       {std::pair<std::int64_t, std::int64_t>{8, 6}, {7, 9}, {2, 3}, {6, 64}, {5, 77}, {4, 90}})
+    for (const at::MemoryFormat format : {at::MemoryFormat::Contiguous, at::MemoryFormat::ChannelsLast})
+      expect_same_step([&](const at::Tensor& x) { return average_pool(x.contiguous(format)); },
+                       [](const at::Tensor& x) { return average_pool_by_library(x); },
+                       random_tensor({2, 5, rows, columns}, 4),
+                       std::to_string(rows) + " x " + std::to_string(columns));
 }
 
 TEST(FeatureSteps, AMapTooSmallToReflectIsRefused) {
