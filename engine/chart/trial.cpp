@@ -140,7 +140,7 @@ class Running {
         problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
     const std::vector<Eigen::Index> informed = problem_.informed();
     if (made.emulator && !misses_one(*made.emulator, informed, target, mode, basins_))
-      return make_emulated_kernel(*made.emulator, informed, target, setting_.path_length);
+      return make_emulated_kernel({*made.emulator}, informed, target, setting_.path_length);
     ChartSetting hmc = setting_;
     hmc.kernel = "hmc";
     return problem_.kernel(hmc, target);

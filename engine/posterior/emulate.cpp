@@ -23,6 +23,7 @@ constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search
 constexpr int kMovesFar = 50, kMovesNear = 1;  // of a proposal
 constexpr double kProposing = 0.8;             // share of the proposals
 constexpr double kNear = 0.25;                 // of these, where the target is jagged
+constexpr double kByTheLast = 0.75;            // of several emulators
 constexpr double kPathLength = 1.5;
 constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
 constexpr double kAlpha = 0.9;     // continuous moves, where there are levels
@@ -72,11 +73,18 @@ std::unique_ptr<Kernel> way_out_of(const LogDensity& target, double path_length)
 
 class EmulatedKernel final : public Kernel {
  public:
-  EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
-                 const LogDensity& target, double path_length)
-      : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target, path_length),
-                             kProposing)) {}
+  EmulatedKernel(const std::vector<Emulator>& emulators, const std::vector<Eigen::Index>& informed,
+                 const LogDensity& target, double path_length) {
+    std::unique_ptr<Kernel> proposing_by_all;
+    for (const Emulator& emulator : emulators) {
+      proposals_.push_back(std::make_unique<Proposals>(emulator, informed, target));
+      auto by_this = proposing(*proposals_.back(), target, path_length);
+      proposing_by_all = proposing_by_all
+                             ? make_mixture(std::move(by_this), std::move(proposing_by_all), kByTheLast)
+                             : std::move(by_this);
+    }
+    kernel_ = make_mixture(std::move(proposing_by_all), way_out_of(target, path_length), kProposing);
+  }
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
@@ -85,7 +93,7 @@ class EmulatedKernel final : public Kernel {
   double target_acceptance() const override { return kernel_->target_acceptance(); }
 
  private:
-  Proposals proposals_;
+  std::vector<std::unique_ptr<const Proposals>> proposals_;
   std::unique_ptr<Kernel> kernel_;
 };
 
@@ -110,7 +118,7 @@ class Learner {
         observed_(posterior.in_errors(posterior.photo_summary())),
         first_(2 * Emulator::monomials(std::ssize(informed_))),
         most_(settings.most > 0 ? settings.most : std::max(kFewest, 3 * first_)),
-        rng_(settings.seed, kEmulatorStream) {
+        rng_(settings.seed, kEmulatorStream + settings.round) {
     const std::vector<TruncatedNormal> all = posterior.free_priors();
     std::vector<TruncatedNormal> priors;
     for (const Eigen::Index i : informed_) priors.push_back(all[static_cast<std::size_t>(i)]);
@@ -138,8 +146,15 @@ class Learner {
     return result;
   }
 
+  std::optional<Emulator> learn_at(const Eigen::MatrixXd& places) {
+    if (places.cols() < first_) return std::nullopt;
+    evaluate(places.rightCols(std::min(places.cols(), most_)));
+    fit();
+    return std::move(emulator_);
+  }
+
  private:
-  static constexpr Eigen::Index kLeastRound = 60, kFewest = 600;  // evaluations
+  static constexpr Eigen::Index kLeastRound = 60, kFewest = 1200;  // evaluations
 
   /// At informed coordinates; those of places and levels are drawn from their prior for each.
   void evaluate(const Eigen::MatrixXd& places) {
@@ -269,10 +284,10 @@ class Learner {
 
 }  // namespace
 
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
+std::unique_ptr<Kernel> make_emulated_kernel(const std::vector<Emulator>& emulators,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length) {
-  return std::make_unique<EmulatedKernel>(emulator, informed, target, path_length);
+  return std::make_unique<EmulatedKernel>(emulators, informed, target, path_length);
 }
 
 bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
@@ -297,6 +312,12 @@ bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& infor
 Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings) {
   return Learner(posterior, starts, laplace, settings).learn();
+}
+
+std::optional<Emulator> emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places,
+                                      const ChainState& mode, const Metric& laplace,
+                                      const EmulateSettings& settings) {
+  return Learner(posterior, {mode}, laplace, settings).learn_at(places);
 }
 
 }  // namespace patina

@@ -14,15 +14,17 @@
 namespace patina {
 
 struct EmulateSettings {
-  /// Evaluations of the posterior at most; 0: six for each of the polynomials' monomials, at least 600. What
+  /// Evaluations of the posterior at most; 0: six for each of the polynomials' monomials, at least 1200. What
   /// is taken of proposals grew no more from three on (leather_6, leather_3, plaster_3, wood_3), to eight or
-  /// thirty.
+  /// thirty; but of 600 renders those of leather_6 knew too little of a thin tail that a twelfth of the
+  /// posterior lies in.
   int most = 0;
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.
   double good = 0.7, poor = 0.15;
   int threads = 1;
   std::uint64_t seed = 1;
+  std::uint64_t round = 0;                  ///< another one learns from renders with other places and levels
   std::function<void()> enter_thread = {};  ///< called first on each thread
   std::function<void()> evaluated = {};     ///< called after each evaluation, from any thread; may throw
 };
@@ -37,8 +39,9 @@ struct Emulation {
 /// refuses (make_two_stage); and now and then a walk under the target itself, or HMC where it is jagged,
 /// which leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
 /// from their prior.
-/// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
+/// @param emulators  of the informed coordinates of the target; the last one proposes most, the others where
+///     it knows too little   @param path_length  as of hmc (kernels.h)
+std::unique_ptr<Kernel> make_emulated_kernel(const std::vector<Emulator>& emulators,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length);
 
@@ -64,5 +67,13 @@ bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& infor
 /// @param laplace  the covariance that the posterior has about its mode, about
 Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings);
+
+/// An emulator of places that chains have come to, evaluated with other places of textures and levels of
+/// their prior: about the posterior it is several times as exact as one that had to find it.
+/// @param places  [informed, n], a column each; of many, the last ones are taken
+/// @return        none for too few places, twice as many as monomials
+std::optional<Emulator> emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places,
+                                      const ChainState& mode, const Metric& laplace,
+                                      const EmulateSettings& settings);
 
 }  // namespace patina

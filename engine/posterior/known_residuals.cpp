@@ -1,5 +1,8 @@
 #include "engine/posterior/known_residuals.h"
 
+#include <ATen/core/Tensor.h>
+#include <ATen/ops/from_blob.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -7,15 +10,24 @@ namespace patina {
 
 namespace {
 
+/// [columns, rows], double.
+at::Tensor transposed(const Eigen::Ref<const Eigen::MatrixXf>& matrix) {
+  // Which at::from_blob() takes for one that may be written to.
+  auto* data = const_cast<float*>(matrix.data());
+  return at::from_blob(data, {matrix.cols(), matrix.rows()}, {matrix.outerStride(), 1}).to(at::kDouble);
+}
+
 /// A^T B in double: in float a product would promise more than a perfect match somewhere.
 Eigen::MatrixXd product(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
   constexpr Eigen::Index kBlock = 256;  // columns in double at a time
-  const Eigen::MatrixXd right = b.cast<double>();
+  const at::Tensor right = transposed(b).t();
   Eigen::MatrixXd result(a.cols(), b.cols());
   for (Eigen::Index first = 0; first < a.cols(); first += kBlock) {
     const Eigen::Index columns = std::min(kBlock, a.cols() - first);
-    const Eigen::MatrixXd left = a.middleCols(first, columns).cast<double>();
-    result.middleRows(first, columns).noalias() = left.transpose() * right;
+    const at::Tensor block = transposed(a.middleCols(first, columns)).mm(right);
+    result.middleRows(first, columns) =
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            block.data_ptr<double>(), columns, b.cols());
   }
   return result;
 }

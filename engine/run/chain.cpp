@@ -84,17 +84,31 @@ void Chain::recall_draws() {
   shared_.edit_status([&](RunStatus& status) { status.chains[index_] = tally_.status(); });
 }
 
-void Chain::run() noexcept {
+template <class Work>
+void Chain::guarded(const Work& work) noexcept {
   try {
     use_tensor_threads(1);
-    if (!begun_) begin();
-    warm_up();
-    sample();
+    work();
   } catch (const RunStopped&) {
     // What was drawn so far is kept.
   } catch (const std::exception& error) {
     shared_.fail(error.what());
   }
+}
+
+void Chain::warm_up() noexcept {
+  guarded([&] {
+    if (!begun_) begin();
+    go_through_windows();
+  });
+}
+
+void Chain::sample(const Kernel& kernel) noexcept {
+  kernel_ = &kernel;
+  guarded([&] {
+    shared_.control.checkpoint();  // where warm-up was stopped, there is nothing to go on from
+    make_draws();
+  });
   close();
 }
 
@@ -112,7 +126,7 @@ void Chain::begin() {
   begun_ = true;
 }
 
-void Chain::warm_up() {
+void Chain::go_through_windows() {
   const std::vector<WarmupWindow> schedule = warmup_schedule(plan_.settings.warmup.value());
   while (at_.window < std::ssize(schedule)) {
     const WarmupWindow& window = schedule[static_cast<std::size_t>(at_.window)];
@@ -133,7 +147,7 @@ void Chain::end_window(const WarmupWindow& window) {
   save();
 }
 
-void Chain::sample() {
+void Chain::make_draws() {
   shared_.edit_status([](RunStatus& status) {
     status.phase = RunPhase::sampling;
     status.message = "drawing samples";
@@ -150,7 +164,7 @@ void Chain::step(bool warmup) {
   shared_.control.checkpoint();  // a discrete move to the same level makes no evaluation
   const Stopwatch stopwatch(warmup ? at_.warmup_seconds : at_.sampling_seconds);
   Rng rng = rng_;
-  ClimberStep step = next_step(plan_.target, plan_.kernel, at_.climber, rng);
+  ClimberStep step = next_step(plan_.target, *kernel_, at_.climber, rng);
   record(step, warmup);
   take_step(std::move(step), warmup, at_.climber);
   rng_ = rng;

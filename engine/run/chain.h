@@ -23,8 +23,8 @@ namespace patina {
 struct ChainPlan {
   const RunSettings& settings;
   const ParameterTable& table;
-  const LogDensity& target;  ///< controlled: see ControlledDensity
-  const Kernel& kernel;
+  const LogDensity& target;                                ///< controlled: see ControlledDensity
+  const Kernel& kernel;                                    ///< of warm-up
   std::function<ParameterValues(const Position&)> values;  ///< from sampling coordinates
   ChainState mode;
   std::shared_ptr<const Metric> laplace;
@@ -33,6 +33,8 @@ struct ChainPlan {
   std::chrono::milliseconds checkpoint_interval{2000};
   /// Where a chain starts; empty: see overdispersed_start().
   std::function<Position(Rng&)> start = {};
+  /// The kernel of the draws, asked for once all chains are warm; empty: warm-up's. It outlives the chains.
+  std::function<const Kernel&()> kernel_of_draws = {};
 };
 
 /// One chain, on a thread of its own: start, warm-up, sampling; alone or on a ladder, of which the target's
@@ -46,12 +48,15 @@ class Chain {
   /// @throws UserError for a state or a chain file that is damaged or belongs to another run
   Chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared, int index);
 
-  /// Returns when all draws are made or the run is stopped; a failure is left in `shared`. The file is closed
-  /// in every case.
-  void run() noexcept;
+  /// Returns at the end of warm-up, at once where the chain has come further, or when the run is stopped; a
+  /// failure is left in `shared`.
+  void warm_up() noexcept;
+  /// Returns when all draws are made or the run is stopped, likewise. The file is closed in every case.
+  /// @param kernel  outlives the chain
+  void sample(const Kernel& kernel) noexcept;
 
   std::int64_t draws_after_warmup() const { return tally_.draws_after_warmup(); }
-  double warmup_seconds() const { return at_.warmup_seconds; }  ///< once run() has returned
+  double warmup_seconds() const { return at_.warmup_seconds; }  ///< once sample() has returned
   double sampling_seconds() const { return at_.sampling_seconds; }
 
  private:
@@ -61,9 +66,12 @@ class Chain {
         std::optional<ChainCheckpoint> saved);
   void recall_draws();
   void begin();
-  void warm_up();
+  /// On a thread of its own: leaves a failure in `shared`.
+  template <class Work>
+  void guarded(const Work& work) noexcept;
+  void go_through_windows();
   void end_window(const WarmupWindow& window);
-  void sample();
+  void make_draws();
   void step(bool warmup);
   void record(const ClimberStep& step, bool warmup);
   void save();
@@ -71,6 +79,7 @@ class Chain {
   void close() noexcept;
 
   const ChainPlan& plan_;
+  const Kernel* kernel_ = &plan_.kernel;
   WarmupMeeting& meeting_;
   RunShared& shared_;
   int index_;

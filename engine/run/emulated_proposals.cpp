@@ -6,8 +6,11 @@
 
 #include "engine/error.h"
 #include "engine/format.h"
+#include "engine/io/chain_csv.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/controlled_density.h"
+#include "engine/run/draw.h"
+#include "engine/run/run_files.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
@@ -24,6 +27,42 @@ std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
   if (settings.temper != 0) return "has no ladder";
   if (settings.start != "map") return "begins at the best match alone";
   return "";
+}
+
+/// On all processors, the run's status kept up to date. @param evaluated  counts; outlives the result
+EmulateSettings learning(const RunSettings& run, RunShared& shared, std::atomic<int>& evaluated) {
+  constexpr int kEvaluationsAMessage = 20;
+  return {.threads = hardware_threads(),
+          .seed = run.seed,
+          .enter_thread = [] { use_tensor_threads(1); },
+          .evaluated =
+              [&] {
+                shared.control.checkpoint();
+                const int now = ++evaluated;
+                if (now % kEvaluationsAMessage != 0) return;
+                shared.edit_status([&](RunStatus& status) {
+                  status.message = format("learning what renders look like about the match: %d so far", now);
+                });
+              }};
+}
+
+/// Where the chains were in the last part of warm-up, where they moved. @return [dimension, n]
+Eigen::MatrixXd places_of_warmup(const Posterior& posterior, const std::filesystem::path& directory,
+                                 const RunSettings& run) {
+  const auto warmup = static_cast<std::size_t>(run.warmup.value()), first = warmup / 5;
+  std::vector<Eigen::VectorXd> places;
+  for (int chain = 0; chain < run.chains; ++chain) {
+    auto rows = ChainCsvReader(chain_file(directory, chain)).read_new(warmup);
+    rows.resize(std::min(rows.size(), warmup));
+    for (std::size_t i = first; i < rows.size(); ++i)
+      if (i == first || rows[i].row.lp != rows[i - 1].row.lp)
+        places.push_back(
+            posterior.position(to_draw(rows[i], posterior.table(), chain, std::ssize(places)).values)
+                .continuous);
+  }
+  Eigen::MatrixXd all(posterior.dimension(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = places[i];
+  return all;
 }
 
 }  // namespace
@@ -65,21 +104,8 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
 std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
                                        const Metric& laplace, const std::vector<MapPoint>& basins,
                                        const RunSettings& run, RunShared& shared) {
-  constexpr int kEvaluationsAMessage = 20;
   std::atomic<int> evaluated{0};
-  const EmulateSettings settings{
-      .threads = hardware_threads(),
-      .seed = run.seed,
-      .enter_thread = [] { use_tensor_threads(1); },
-      .evaluated =
-          [&] {
-            shared.control.checkpoint();
-            const int now = ++evaluated;
-            if (now % kEvaluationsAMessage != 0) return;
-            shared.edit_status([&](RunStatus& status) {
-              status.message = format("learning what renders look like about the match: %d so far", now);
-            });
-          }};
+  const EmulateSettings settings = learning(run, shared, evaluated);
   std::vector<ChainState> ends;
   for (const MapPoint& basin : basins) ends.push_back({posterior.position(basin.values), {basin.lp, {}}});
   const ControlledDensity target(posterior, shared.control);
@@ -96,6 +122,16 @@ std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainSt
   if (why_not.empty()) return std::move(made.emulator);
   if (run.kernel == kEmulated) throw UserError(why_not + ": use --kernel hmc.");
   return std::nullopt;
+}
+
+std::optional<Emulator> emulator_of_warmup(const Posterior& posterior, const ChainState& mode,
+                                           const Metric& laplace, const std::filesystem::path& directory,
+                                           const RunSettings& run, RunShared& shared) {
+  std::atomic<int> evaluated{0};
+  EmulateSettings settings = learning(run, shared, evaluated);
+  settings.round = 1;
+  const Eigen::MatrixXd places = places_of_warmup(posterior, directory, run);
+  return emulate_about(posterior, places(posterior.informed(), Eigen::all), mode, laplace, settings);
 }
 
 }  // namespace patina

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,6 +36,12 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
 std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
                                        const Metric& laplace, const std::vector<MapPoint>& basins,
                                        const RunSettings& settings, RunShared& shared);
+
+/// emulate_about() what the chains of a run have come to in warm-up, as their files have it.
+/// @throws RunStopped   @throws UserError for a file that cannot be read
+std::optional<Emulator> emulator_of_warmup(const Posterior& posterior, const ChainState& mode,
+                                           const Metric& laplace, const std::filesystem::path& directory,
+                                           const RunSettings& settings, RunShared& shared);
 
 /// The kernel's name without "auto". @param emulated  whether there is an emulator
 std::string kernel_in_use(const RunSettings& settings, bool emulated);

@@ -28,6 +28,8 @@ struct ModeFound {
   std::optional<WiderErrors> wider = {};        ///< of widened errors, likewise
   bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
   std::optional<Emulator> emulator = {};        ///< of these
+  bool has_learnt_again = false;                ///< about what warm-up has come to
+  std::optional<Emulator> of_warmup = {};       ///< learnt then, where there was enough to learn from
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so

@@ -9,6 +9,14 @@
 namespace patina {
 namespace {
 
+void serialise(Archive& archive, std::optional<Emulator>& emulator) {
+  bool is_there = emulator.has_value();
+  archive(is_there);
+  if (!is_there) return;
+  if (!emulator) emulator.emplace();
+  archive(*emulator);
+}
+
 /// What the settings make optional is there or not with them; an emulator is not before there are chains.
 void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) {
   archive(found.mode, found.laplace);
@@ -21,11 +29,10 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     archive(*found.wider);
   }
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
-  bool emulates = found.emulator.has_value();
-  archive(found.has_tried_to_emulate, emulates);
-  if (!emulates) return;
-  if (!found.emulator) found.emulator.emplace();
-  archive(*found.emulator);
+  archive(found.has_tried_to_emulate);
+  serialise(archive, found.emulator);
+  archive(found.has_learnt_again);
+  serialise(archive, found.of_warmup);
 }
 
 }  // namespace
@@ -45,7 +52,8 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
         (found.errors && !fits(*found.errors, target)) ||
         (found.wider && !found.wider->are_of(target.photo_summary().size())) ||
-        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))))
+        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))) ||
+        (found.of_warmup && !found.of_warmup->is_of(std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

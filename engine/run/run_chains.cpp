@@ -26,13 +26,27 @@ void add_chain(const ChainPlan& plan, WarmupMeeting& meeting, RunShared& shared,
   shared.write_or_pause(add);
 }
 
-void run_all(std::deque<Chain>& chains, RunShared& shared) {
+/// Calls work(chain) for each, on a thread of its own.
+template <class Work>
+void for_all(std::deque<Chain>& chains, RunShared& shared, const Work& work) {
   std::vector<std::jthread> threads;
   try {
-    for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+    for (Chain& chain : chains) threads.emplace_back([&] { work(chain); });
   } catch (const std::system_error&) {  // those that run wait for all: they are told to end
     shared.fail("The system has no threads left for the chains: ask for fewer, or close other programs.");
   }
+}
+
+/// The one of warm-up where the run is over already.
+const Kernel& kernel_of_draws(const ChainPlan& plan, RunShared& shared) {
+  if (!plan.kernel_of_draws || shared.control.token().stop_requested()) return plan.kernel;
+  try {
+    return plan.kernel_of_draws();
+  } catch (const RunStopped&) {  // chains have files to close
+  } catch (const std::exception& error) {
+    shared.fail(error.what());
+  }
+  return plan.kernel;
 }
 
 }  // namespace
@@ -49,7 +63,9 @@ ChainsDone run_chains(const ChainPlan& plan, const WarmupRecord& record, RunShar
       record);
   std::deque<Chain> chains;  // their addresses stay
   for (int k = 0; k < plan.settings.chains; ++k) add_chain(plan, meeting, shared, chains);
-  run_all(chains, shared);
+  for_all(chains, shared, [](Chain& chain) { chain.warm_up(); });
+  const Kernel& kernel = kernel_of_draws(plan, shared);
+  for_all(chains, shared, [&](Chain& chain) { chain.sample(kernel); });
   ChainsDone done;
   for (const Chain& chain : chains) {
     done.draws += chain.draws_after_warmup();

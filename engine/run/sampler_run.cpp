@@ -167,14 +167,14 @@ void SamplerRun::coordinate() noexcept {
 }
 
 void SamplerRun::run_to_the_end() {
-  const ModeFound found = find_or_recall();
+  ModeFound found = find_or_recall();
   manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
                                 finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
   manifest_.kernel = kernel_in_use(settings_, found.emulator.has_value());
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
-  if (!settings_.map_only) sample(found);
+  if (!settings_.map_only) sample(std::move(found));
 }
 
 Image SamplerRun::finer_render(const Position& position) const {
@@ -326,15 +326,33 @@ void SamplerRun::use(const WiderErrors& wider) {
   posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(wider));
 }
 
-void SamplerRun::sample(const ModeFound& found) {
+void SamplerRun::learn_again(ModeFound& found) {
+  if (!found.emulator || found.has_learnt_again) return;
+  const Stopwatch stopwatch(manifest_.seconds.search);
+  found.of_warmup =
+      emulator_of_warmup(*posteriors_.back(), found.mode, *found.laplace, directory_, settings_, shared_);
+  found.has_learnt_again = true;
+  keep(found);
+}
+
+void SamplerRun::sample(ModeFound found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto kernel =
-      found.emulator
-          ? make_emulated_kernel(*found.emulator, posterior.informed(), target, settings_.path_length)
-          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh, settings_.discrete,
-                        settings_.path_length);
+  const auto emulated = [&](const std::vector<Emulator>& emulators) {
+    return make_emulated_kernel(emulators, posterior.informed(), target, settings_.path_length);
+  };
+  const auto kernel = found.emulator
+                          ? emulated({*found.emulator})
+                          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
+                                        settings_.discrete, settings_.path_length);
+  std::unique_ptr<const Kernel> again;  // of the draws, where warm-up taught anything
+  const auto kernel_of_draws = [&]() -> const Kernel& {
+    learn_again(found);
+    if (!found.of_warmup) return *kernel;
+    again = emulated({*found.emulator, *found.of_warmup});
+    return *again;
+  };
   const ChainPlan plan{.settings = settings_,
                        .table = table_,
                        .target = target,
@@ -344,7 +362,8 @@ void SamplerRun::sample(const ModeFound& found) {
                        .laplace = found.laplace,
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = start_of(posterior, settings_, photo_)};
+                       .start = start_of(posterior, settings_, photo_),
+                       .kernel_of_draws = kernel_of_draws};
   ChainsDone done = run_chains(plan, record_, shared_);
   draws_made_ = done.draws;
   manifest_.seconds.warmup = std::move(done.warmup);

@@ -65,7 +65,8 @@ class SamplerRun final : public DrawSource {
   void use(const WiderErrors& wider);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
-  void sample(const ModeFound& found);
+  void sample(ModeFound found);
+  void learn_again(ModeFound& found);  ///< from warm-up, where proposals are emulated
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;
 

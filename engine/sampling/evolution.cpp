@@ -14,8 +14,6 @@
 namespace patina {
 namespace {
 
-constexpr double kNarrow = 0.01;
-
 /// The normal distribution that generations are drawn from. Names are the tutorial's.
 class Strategy {
  public:
@@ -96,7 +94,8 @@ OptimizerResult evolve(const LogDensity& target, const Position& start, Rng& rng
   OptimizerResult best{start, value_finite(target, start), 1, {}};
   Strategy strategy(start.continuous, settings.spread, settings.population);
   const auto count = static_cast<std::size_t>(settings.population);
-  for (int generation = 0; generation < settings.generations && strategy.width() > kNarrow; ++generation) {
+  for (int generation = 0; generation < settings.generations && strategy.width() > settings.narrow;
+       ++generation) {
     if (settings.stop_requested && settings.stop_requested()) break;
     Eigen::MatrixXd steps(start.continuous.size(), settings.population);
     for (auto step : steps.colwise()) step = strategy.step(rng);

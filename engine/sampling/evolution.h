@@ -8,10 +8,11 @@
 namespace patina {
 
 struct EvolutionSettings {
-  double spread = 0.8;    ///< sd of the first generation, in every continuous coordinate
-  int population = 24;    ///< evaluations, of the value alone, a generation
-  int generations = 100;  ///< at most
-  int threads = 1;        ///< at a time; the result is the same
+  double spread = 0.8;                      ///< sd of the first generation, in every continuous coordinate
+  int population = 24;                      ///< evaluations, of the value alone, a generation
+  int generations = 100;                    ///< at most
+  double narrow = 0.01;                     ///< ends early when a generation is narrower in every direction
+  int threads = 1;                          ///< at a time; the result is the same
   std::function<void()> enter_thread = {};  ///< called first on each of those threads; may be empty
   std::function<bool()> stop_requested = {};
   std::function<void(const OptimizerResult& best)> evolved = {};  ///< called after each generation
@@ -21,7 +22,7 @@ struct EvolutionSettings {
 /// adaptation evolution strategy: each generation is drawn from a normal distribution whose mean, size and
 /// shape follow the better half of the one before (Hansen 2016, "The CMA Evolution Strategy: A Tutorial",
 /// arXiv 1604.00772, figure 6 with positive weights). What is narrower than a generation is averaged over.
-/// Discrete coordinates stay. Ends early when a generation is narrower than a hundredth in every direction.
+/// Discrete coordinates stay.
 /// @return the best position that was met, its evaluation without gradient
 OptimizerResult evolve(const LogDensity& target, const Position& start, Rng& rng,
                        const EvolutionSettings& settings);

@@ -22,6 +22,10 @@ constexpr double kSameBasin = 0.3;  // prior standard deviations
 // Evolution of targets with jagged coordinates: about the prior, about a guess, and about a finalist.
 constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.3;
 constexpr int kLeastGenerations = 80;
+// What climbs of gradients do better: a finalist gains less than half a nat from there on.
+constexpr double kFinalistNarrow = 0.05;
+// Behind the best evolved before, after half of the generations, in nats: who is further behind stays so.
+constexpr double kHopeless = 100;
 constexpr double kValueCost = 0.5;  // of an evaluation's with gradient
 
 constexpr int kGuessesClimbed = 3;
@@ -206,29 +210,39 @@ class Search {
   /// say the same at several times the cost.
   std::size_t grain_target() const { return std::min<std::size_t>(targets_.size() - 1, 1); }
 
-  /// One generation after the other, each on all threads.
-  OptimizerResult evolve(std::size_t target, const Position& start, double spread) {
-    EvolutionSettings evolution;
-    evolution.spread = spread;
-    evolution.generations = generations();
+  /// One generation after the other, each on all threads. @param least  ends half-way where its best is below
+  OptimizerResult evolve(std::size_t target, const Position& start, EvolutionSettings evolution,
+                         double least = -std::numeric_limits<double>::infinity()) {
+    const double work = kValueCost * evolution.population * cost(target);
+    int to_come = generations();
+    bool hopeless = false;
+    evolution.generations = to_come;
     evolution.threads = settings_.threads;
     evolution.enter_thread = settings_.enter_thread;
-    evolution.stop_requested = settings_.stop_requested;
+    evolution.stop_requested = [&] { return hopeless || stopped(); };
     evolution.evolved = [&](const OptimizerResult& best) {
-      report(best, kValueCost * evolution.population * cost(target));
+      hopeless = --to_come == evolution.generations / 2 && best.evaluation.log_density < least;
+      report(best, work);
     };
-    return patina::evolve(*targets_[target], start, rng_, evolution);
+    OptimizerResult result = patina::evolve(*targets_[target], start, rng_, evolution);
+    report(result, to_come * work);
+    return result;
   }
 
   /// Evolves the best guess, and from the whole prior at random levels; what comes of it takes the place of
   /// what would have been climbed.
   void evolve_all(std::vector<OptimizerResult>& guesses, std::vector<OptimizerResult>& candidates) {
-    if (!guesses.empty()) guesses.assign(1, evolve(0, guesses.front().position, kGuessSpread));
+    if (!guesses.empty()) guesses.assign(1, evolve(0, guesses.front().position, {.spread = kGuessSpread}));
     const int count = std::max(settings_.evolutions - static_cast<int>(guesses.size()), 1);
     const Eigen::VectorXd middle = Eigen::VectorXd::Zero(targets_.front()->dimension());
     std::vector<OptimizerResult> evolved;
-    for (int i = 0; i < count && !stopped(); ++i)
-      evolved.push_back(evolve(0, {middle, draw_levels(levels_, rng_)}, kPriorSpread));
+    double top =
+        guesses.empty() ? -std::numeric_limits<double>::infinity() : guesses.front().evaluation.log_density;
+    for (int i = 0; i < count && !stopped(); ++i) {
+      const Position start{middle, draw_levels(levels_, rng_)};
+      evolved.push_back(evolve(0, start, {.spread = kPriorSpread}, top - kHopeless));
+      top = std::max(top, evolved.back().evaluation.log_density);
+    }
     if (!stopped()) candidates = std::move(evolved);
   }
 
@@ -237,7 +251,8 @@ class Search {
     begin_on(grain_target());
     for (OptimizerResult& result : results) {
       if (stopped()) return;
-      result = evolve(grain_target(), result.position, kFinalistSpread);
+      result =
+          evolve(grain_target(), result.position, {.spread = kFinalistSpread, .narrow = kFinalistNarrow});
     }
     sort_best_first(results);
     if (targets_.size() == 1) climb_all(results, 0, settings_.fine_iterations);

@@ -263,7 +263,7 @@ TEST_F(EmulatedPosterior, DrawsOfItsKernelAreThoseOfHmcAtATenthOfTheRenders) {
   settings.enter_thread = [] { at::set_num_threads(1); };
   const auto start = [&](Rng&) { return mode_; };
   const Sample emulated =
-      sample(posterior_, *make_emulated_kernel(*made.emulator, posterior_.informed(), posterior_, 1.5),
+      sample(posterior_, *make_emulated_kernel({*made.emulator}, posterior_.informed(), posterior_, 1.5),
              settings, start, laplace_);
   const Sample plain =
       sample(posterior_, *make_kernel("hmc", posterior_, 1, 0.25, "joint", 1.5), settings, start, laplace_);
@@ -295,7 +295,7 @@ TEST(EmulatedPlaces, DrawsAreThoseOfHmcWithRefreshMovesWhatTheEmulatorDoesNotKno
   settings.noise_repeats = 0;
   settings.enter_thread = enter;
   const auto start = [&](Rng&) { return mode; };
-  const auto kernel = make_emulated_kernel(*made.emulator, posterior.informed(), posterior, 1.5);
+  const auto kernel = make_emulated_kernel({*made.emulator}, posterior.informed(), posterior, 1.5);
   const Sample emulated = sample(posterior, *kernel, settings, start, laplace);
   settings.seed = 2;
   const Sample plain =

@@ -70,7 +70,11 @@ class ChainTest : public FolderTest {
     std::deque<Chain> chains;
     for (int k = 0; k < 3; ++k) chains.emplace_back(plan, meeting, shared, k);
     std::vector<std::jthread> threads;
-    for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+    for (Chain& chain : chains)
+      threads.emplace_back([&] {
+        chain.warm_up();
+        chain.sample(*kernel);
+      });
     threads.clear();
     return shared.draws.take_all();
   }

@@ -79,7 +79,11 @@ class CheapChainsTest : public FolderTest {
     std::deque<Chain> chains;
     for (int k = 0; k < kChains; ++k) chains.emplace_back(plan, meeting, shared, k);
     std::vector<std::jthread> threads;
-    for (Chain& chain : chains) threads.emplace_back([&chain] { chain.run(); });
+    for (Chain& chain : chains)
+      threads.emplace_back([&] {
+        chain.warm_up();
+        chain.sample(*kernel);
+      });
   }
 
   /// The same undisturbed.
