@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -132,14 +134,17 @@ class Learner {
     evaluate(about_the_mode());
     fit();
     Emulation result;
-    for (double before = 0;; before = result.taken) {
+    std::vector<double> taken;  // by round
+    for (;;) {
       const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
       if (known_.count() + more > most_) break;
       const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
       evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers));
-      result.taken = walk(steps);
+      taken.push_back(walk(steps));
       fit();
-      if (std::min(before, result.taken) >= settings_.good) break;  // once may be luck
+      const auto lately = std::span(taken).last((taken.size() + 1) / 2);  // a round is a few proposals
+      result.taken = std::accumulate(lately.begin(), lately.end(), 0.0) / static_cast<double>(lately.size());
+      if (taken.size() > 1 && std::ranges::min(std::span(taken).last(2)) >= settings_.good) break;
     }
     result.evaluations = static_cast<int>(known_.count());
     if (result.taken >= settings_.poor) result.emulator = std::move(emulator_);

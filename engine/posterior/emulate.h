@@ -21,7 +21,7 @@ struct EmulateSettings {
   int most = 0;
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.
-  double good = 0.7, poor = 0.15;
+  double good = 0.7, poor = 0.1;
   int threads = 1;
   std::uint64_t seed = 1;
   std::uint64_t round = 0;                  ///< another one learns from renders with other places and levels
@@ -31,7 +31,7 @@ struct EmulateSettings {
 
 struct Emulation {
   std::optional<Emulator> emulator;  ///< of the informed coordinates; none: too few were taken
-  double taken = 0;                  ///< share of the last rounds' proposals that the posterior took
+  double taken = 0;                  ///< share of the later half of rounds' proposals that the posterior took
   int evaluations = 0;
 };
 

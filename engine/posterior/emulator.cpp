@@ -11,11 +11,11 @@ namespace {
 constexpr double kRidge = 0.01;
 
 /// Of the squares that are made least, 1 on average: what lies a nat a coordinate deeper than the best counts
-/// a sixteenth. Examples reach further than the posterior, and polynomials cannot follow all of it.
+/// a quarter. Examples reach further than the posterior, and polynomials cannot follow all of it.
 Eigen::VectorXd importance_of(const EmulatorExamples& examples) {
   const Eigen::ArrayXd energies = examples.energies().array();
   const auto dimension = static_cast<double>(examples.places.rows());
-  const Eigen::ArrayXd importance = (1 + (energies - energies.minCoeff()) / dimension).pow(-4);
+  const Eigen::ArrayXd importance = (1 + (energies - energies.minCoeff()) / dimension).square().inverse();
   return importance / importance.mean();
 }
 

@@ -3,7 +3,12 @@
 #include <cmath>
 
 #include "engine/material/registry.h"
+#include "engine/posterior/posterior.h"
 #include "engine/run/manifest.h"
+#include "engine/run/mode_state.h"
+#include "engine/run/posterior_settings.h"
+#include "engine/run/run_photo.h"
+#include "engine/run/same_run.h"
 #include "tests/run/run_fixture.h"
 
 namespace patina {
@@ -15,6 +20,13 @@ using namespace std::chrono_literals;
 std::string without_times(const std::filesystem::path& file) {
   const std::string text = slurp(file);
   return text.substr(0, text.find("#  Elapsed Time"));
+}
+
+ModeFound found_in(const std::filesystem::path& folder) {
+  const Manifest manifest = read_manifest(folder);
+  const Posterior posterior(posterior_settings(manifest.settings, manifest.settings.resolution),
+                            read_run_photo(folder));
+  return read_mode(folder, run_key(manifest), posterior, manifest.settings).value();
 }
 
 class SamplerRunTest : public RunTest {
@@ -71,6 +83,7 @@ TEST_P(EmulatedRun, GoesOnFromWhereItWasStoppedToTheSameDraws) {
   RunSettings emulated = settings();
   emulated.material = GetParam();
   emulated.kernel = "emulated";
+  emulated.warmup = 500;  // enough to learn from again
   emulated.draws = 60;
   const auto whole = start_run(emulated, photo(), folder_ / "whole");
   draws_to_the_end(*whole);
@@ -86,6 +99,16 @@ TEST_P(EmulatedRun, GoesOnFromWhereItWasStoppedToTheSameDraws) {
   draws_to_the_end(*rest);
   for (const char* name : {"chain-1.csv", "chain-2.csv"})
     EXPECT_EQ(without_times(folder_ / "parts" / name), without_times(folder_ / "whole" / name));
+  EXPECT_TRUE(found_in(folder_ / "parts").of_warmup);
+}
+
+TEST_F(SamplerRunTest, ProposalsAreNotLearntAgainFromTooLittle) {
+  RunSettings emulated = settings();
+  emulated.kernel = "emulated";
+  draws_to_the_end(*start(emulated));
+  const ModeFound found = found_in(directory());
+  EXPECT_TRUE(found.emulator && found.has_learnt_again);
+  EXPECT_FALSE(found.of_warmup);
 }
 
 TEST_F(SamplerRunTest, RunJsonTellsWhichKernelItTookByItself) {
