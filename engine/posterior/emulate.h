@@ -16,8 +16,8 @@ namespace patina {
 struct EmulateSettings {
   /// Evaluations of the posterior at most; 0: six for each of the polynomials' monomials, at least 1200. What
   /// is taken of proposals grew no more from three on (leather_6, leather_3, plaster_3, wood_3), to eight or
-  /// thirty; but of 600 renders those of leather_6 knew too little of a thin tail that a twelfth of the
-  /// posterior lies in.
+  /// thirty; but of 600 renders those of leather_6 knew too little of a thin tail that some hundredths of the
+  /// posterior lie in.
   int most = 0;
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.
