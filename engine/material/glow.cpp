@@ -15,6 +15,7 @@
 #include "engine/material/capture_view.h"
 #include "engine/material/glow_kernel.h"
 #include "engine/material/image_planes.h"
+#include "engine/material/kept.h"
 #include "engine/material/pixel_blocks.h"
 
 namespace patina {
@@ -43,9 +44,8 @@ glow::Quarter quarter_of(const Capture& capture, const CaptureView& view) {
 }
 
 struct Glow : torch::autograd::Function<Glow> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& log2_exitance, double size_cm,
-                            double camera_cm, std::int64_t n) {
-    const Capture capture{size_cm, camera_cm};
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& log2_exitance, const Capture& capture,
+                            std::int64_t n) {
     const CaptureView view = capture_view(capture, static_cast<int>(n), at::kFloat);
     const glow::Quarter quarter = quarter_of(capture, view);
     const at::Tensor rings = log2_exitance.contiguous(), color = at::empty({n, n}, rings.options());
@@ -59,16 +59,14 @@ struct Glow : torch::autograd::Function<Glow> {
       }
     });
     context->save_for_backward({color});
-    context->saved_data["size_cm"] = size_cm;
-    context->saved_data["camera_cm"] = camera_cm;
+    context->saved_data["capture"] = keep(capture);
     return color.expand({3, n, n});
   }
 
   static variable_list backward(AutogradContext* context, const variable_list& outputs) {
     const at::Tensor color = context->get_saved_variables().front(), by_color = outputs.front().contiguous();
     const std::int64_t n = color.size(0);
-    const Capture capture{context->saved_data["size_cm"].toDouble(),
-                          context->saved_data["camera_cm"].toDouble()};
+    const auto& capture = kept<Capture>(context->saved_data["capture"]);
     const CaptureView view = capture_view(capture, static_cast<int>(n), at::kFloat);
     const glow::Quarter quarter = quarter_of(capture, view);
     const ConstPlanes by_planes = const_planes_of(by_color);
@@ -91,7 +89,7 @@ struct Glow : torch::autograd::Function<Glow> {
             }
           }
         });
-    return {at::tensor(by_log2, color.options()) * std::log(2.0), {}, {}, {}};
+    return {at::tensor(by_log2, color.options()) * std::log(2.0), {}, {}};
   }
 };
 
@@ -105,7 +103,7 @@ at::Tensor glow_rings(const Capture& capture, int n, const at::TensorOptions& op
 
 at::Tensor glow_color(const at::Tensor& log2_exitance, const Capture& capture, int n) {
   if (log2_exitance.scalar_type() != at::kFloat) return glow_color_by_tensors(log2_exitance, capture, n);
-  return Glow::apply(log2_exitance, capture.size_cm, capture.camera_cm, static_cast<std::int64_t>(n));
+  return Glow::apply(log2_exitance, capture, static_cast<std::int64_t>(n));
 }
 
 at::Tensor glow_color_by_tensors(const at::Tensor& log2_exitance, const Capture& capture, int n) {

@@ -57,7 +57,8 @@ Eigen::MatrixXd places_of_warmup(const Posterior& posterior, const std::filesyst
     for (std::size_t i = first; i < rows.size(); ++i)
       if (i == first || rows[i].row.lp != rows[i - 1].row.lp)
         places.push_back(
-            posterior.position(to_draw(rows[i], posterior.table(), chain, std::ssize(places)).values)
+            posterior
+                .position(to_draw(rows[i], posterior.table(), chain, static_cast<std::int64_t>(i)).values)
                 .continuous);
   }
   Eigen::MatrixXd all(posterior.dimension(), places.size());

@@ -9,10 +9,9 @@
 #include "engine/error.h"
 #include "engine/io/file.h"
 #include "engine/io/image_file.h"
-#include "engine/io/params_json.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
-#include "engine/run/chain_start.h"
+#include "engine/run/asked_start.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/first_line.h"
@@ -41,24 +40,6 @@ namespace {
 void check_free_parameters(const Posterior& posterior) {
   if (posterior.dimension() == 0)
     throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
-}
-
-/// The settings' start values over the priors' means. @throws UserError
-ParameterValues start_values(const ParameterTable& table, const RunSettings& settings) {
-  ParameterValues values = prior_location(table);
-  for (const auto& [name, value] : settings.start_at) set_parameter(table, name, value, values);
-  return values;
-}
-
-std::function<Position(Rng&)> start_of(const Posterior& posterior, const RunSettings& settings,
-                                       const Image& photo) {
-  if (settings.start == "map") return {};
-  if (settings.start == "predict")
-    return [&, prediction = prediction_for(settings.material, photo, settings.capture)](Rng& rng) {
-      return posterior.position(prediction.draw(rng));
-    };
-  if (settings.start == "prior") return [&](Rng& rng) { return prior_draw(posterior, rng); };
-  return [place = posterior.position(start_values(posterior.table(), settings))](Rng&) { return place; };
 }
 
 }  // namespace
