@@ -24,6 +24,13 @@ RunSettings with_summary(RunSettings settings) {
   return settings;
 }
 
+EmulateSettings learning(std::uint64_t seed, const std::function<void()>& evaluated) {
+  return {.threads = hardware_threads(),
+          .seed = seed,
+          .enter_thread = [] { use_tensor_threads(1); },
+          .evaluated = evaluated};
+}
+
 }  // namespace
 
 PhotoProblem::PhotoProblem(const RunSettings& settings, Image photo, const std::string& description)
@@ -69,11 +76,16 @@ ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed
 Emulation PhotoProblem::emulate(const ChartSetting&, const std::vector<ChainState>& starts,
                                 const Metric& laplace, std::uint64_t seed,
                                 const std::function<void()>& evaluated) const {
-  return patina::emulate(*posterior_, starts, laplace,
-                         {.threads = hardware_threads(),
-                          .seed = seed,
-                          .enter_thread = [] { use_tensor_threads(1); },
-                          .evaluated = evaluated});
+  return patina::emulate(*posterior_, starts, laplace, learning(seed, evaluated));
+}
+
+Emulator PhotoProblem::emulate_about(const ChartSetting&, const Eigen::MatrixXd& places,
+                                     const KnownResiduals& known, const ChainState& mode,
+                                     const Metric& laplace, std::uint64_t seed,
+                                     const std::function<void()>& evaluated) const {
+  EmulateSettings settings = learning(seed, evaluated);
+  settings.round = kAfterWarmup;
+  return patina::emulate_about(*posterior_, places(informed(), Eigen::all), known, mode, laplace, settings);
 }
 
 std::vector<Eigen::Index> PhotoProblem::informed() const { return posterior_->informed(); }

@@ -26,6 +26,9 @@ class PhotoProblem final : public ChartProblem {
                const std::function<void()>& simulated) const override;
   Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts, const Metric& laplace,
                     std::uint64_t seed, const std::function<void()>& evaluated) const override;
+  Emulator emulate_about(const ChartSetting& setting, const Eigen::MatrixXd& places,
+                         const KnownResiduals& known, const ChainState& mode, const Metric& laplace,
+                         std::uint64_t seed, const std::function<void()>& evaluated) const override;
   std::vector<Eigen::Index> informed() const override;
   Eigen::VectorXd values(const Position& position) const override;
   void use_threads(int count) const override;

@@ -26,6 +26,12 @@ Emulation ChartProblem::emulate(const ChartSetting& setting, const std::vector<C
   throw std::invalid_argument("this target cannot be emulated for '" + setting.name + "'");
 }
 
+Emulator ChartProblem::emulate_about(const ChartSetting& setting, const Eigen::MatrixXd&,
+                                     const KnownResiduals&, const ChainState&, const Metric&, std::uint64_t,
+                                     const std::function<void()>&) const {
+  throw std::invalid_argument("this target cannot be emulated for '" + setting.name + "'");
+}
+
 std::unique_ptr<LogDensity> target_of(const ChartProblem& problem) {
   return std::move(problem.targets(default_setting()).back());
 }

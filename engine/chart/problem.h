@@ -45,6 +45,11 @@ class ChartProblem {
   virtual Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts,
                             const Metric& laplace, std::uint64_t seed,
                             const std::function<void()>& evaluated) const;
+  /// And another one of places that chains have come to: emulate_about().
+  /// @param places  of all coordinates, a column each
+  virtual Emulator emulate_about(const ChartSetting& setting, const Eigen::MatrixXd& places,
+                                 const KnownResiduals& known, const ChainState& mode, const Metric& laplace,
+                                 std::uint64_t seed, const std::function<void()>& evaluated) const;
   virtual std::vector<Eigen::Index> informed() const { return {}; }
 
   /// The continuous quantities at a position, in their own units.

@@ -46,6 +46,7 @@ class Running {
         trial_(trial),
         meter_(deadline(start_, plan.seconds)) {
     trial_.chains.resize(static_cast<std::size_t>(setting.chains));
+    warmup_.resize(trial_.chains.size());
   }
 
   /// @throws OutOfTime
@@ -113,6 +114,9 @@ class Running {
       trial_.warmup_seconds = elapsed() - trial_.search_seconds;
       trial_.warmup_evaluations = meter_.evaluations() - trial_.search_evaluations;
     };
+    settings.warmed = [&](int chain, const ChainState& state) {
+      if (made_.emulator) warmup_[static_cast<std::size_t>(chain)].push_back(state);
+    };
     settings.drew = [&](int chain, const ChainState& state) {
       TrialChain& trace = trial_.chains[static_cast<std::size_t>(chain)];
       trace.values.push_back(problem_.values(state.position));
@@ -127,7 +131,13 @@ class Running {
       return overdispersed_start(target, mode, laplace, rng).position;
     };
     const Metric first(restricted(laplace.covariance(), settings.metric));
-    sample(target, *kernel(target, mode, laplace), settings, start, first);
+    const std::unique_ptr<Kernel> kernel = this->kernel(target, mode, laplace);
+    std::unique_ptr<Kernel> again;
+    settings.kernel_of_draws = [&]() -> const Kernel& {
+      again = kernel_of_warmup(target, mode, laplace);
+      return again ? *again : *kernel;
+    };
+    sample(target, *kernel, settings, start, first);
   }
 
   /// Where the setting's is emulated and cannot be, hmc, as a run has it.
@@ -136,14 +146,34 @@ class Running {
     if (setting_.kernel != kEmulated) return problem_.kernel(setting_, target);
     const std::vector<ChainState> starts = emulator_starts(target, mode, basins_, laplace, plan_.seed,
                                                            plan_.threads, [&] { problem_.use_threads(1); });
-    const Emulation made =
-        problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
+    made_ = problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
     const std::vector<Eigen::Index> informed = problem_.informed();
-    if (made.emulator && !misses_one(*made.emulator, informed, target, mode, basins_))
-      return make_emulated_kernel({*made.emulator}, informed, target, setting_.path_length);
+    if (made_.emulator && misses_one(*made_.emulator, informed, target, mode, basins_))
+      made_.emulator.reset();
+    if (made_.emulator) return make_emulated_kernel(*made_.emulator, informed, target, setting_.path_length);
     ChartSetting hmc = setting_;
     hmc.kernel = "hmc";
     return problem_.kernel(hmc, target);
+  }
+
+  /// Of proposals that are learnt again, as a run does; none where there was no warm-up or its are not
+  /// emulated.
+  std::unique_ptr<Kernel> kernel_of_warmup(const LogDensity& target, const ChainState& mode,
+                                           const Metric& laplace) {
+    if (!made_.emulator || setting_.warmup == 0) return nullptr;
+    std::vector<std::vector<double>> log_densities;
+    for (const std::vector<ChainState>& chain : warmup_) {
+      auto& lp = log_densities.emplace_back();
+      for (const ChainState& state : chain) lp.push_back(state.evaluation.log_density);
+    }
+    const std::vector<ChainIteration> moves = moves_of_warmup(log_densities);
+    Eigen::MatrixXd places(target.dimension(), moves.size());
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      places.col(static_cast<Eigen::Index>(i)) =
+          warmup_[static_cast<std::size_t>(moves[i].chain)][moves[i].iteration].position.continuous;
+    const Emulator again = problem_.emulate_about(setting_, places, made_.known, mode, laplace, plan_.seed,
+                                                  [&] { meter_.count(false); });
+    return make_emulated_kernel(again, problem_.informed(), target, setting_.path_length);
   }
 
   /// The setting's kernel on the posterior that proposes; the caller's target decides.
@@ -167,6 +197,9 @@ class Running {
   std::unique_ptr<LogDensity> proposer_;  ///< where there are two stages
   std::vector<std::unique_ptr<MeteredDensity>> metered_;
   std::vector<ChainState> basins_;  ///< that the search ended in
+  Emulation made_;                  ///< of warm-up
+  std::vector<std::vector<ChainState>>
+      warmup_;  ///< of each chain, where there is an emulator to be learnt again
 };
 
 template <typename Vector>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/posterior/emulator.h"
+#include "engine/posterior/known_residuals.h"
 #include "engine/posterior/posterior.h"
 #include "engine/sampling/kernel.h"
 #include "engine/sampling/metric.h"
@@ -32,20 +33,20 @@ struct EmulateSettings {
 struct Emulation {
   std::optional<Emulator> emulator;  ///< of the informed coordinates; none: too few were taken
   double taken = 0;                  ///< share of the later half of rounds' proposals that the posterior took
-  int evaluations = 0;
+  KnownResiduals known;              ///< what it has learnt from
 };
 
 /// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
 /// refuses (make_two_stage); and now and then a walk under the target itself, or HMC where it is jagged,
 /// which leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
 /// from their prior.
-/// @param emulators  of the informed coordinates of the target; the last one proposes most, the others where
-///     it knows too little   @param path_length  as of hmc (kernels.h)
-std::unique_ptr<Kernel> make_emulated_kernel(const std::vector<Emulator>& emulators,
+/// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length);
 
-constexpr int kEmulatorWalkers = 8;
+constexpr int kEmulatorWalkers = 16;
+constexpr std::uint64_t kAfterWarmup = 1;  ///< EmulateSettings::round of what is learnt then
 
 /// Whether a posterior can be emulated: it has informed coordinates. What its places of textures and its
 /// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.
@@ -69,11 +70,13 @@ Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& sta
                   const EmulateSettings& settings);
 
 /// An emulator of places that chains have come to, evaluated with other places of textures and levels of
-/// their prior: about the posterior it is several times as exact as one that had to find it.
+/// their prior: about the posterior it is several times as exact as one that had to find it. As many
+/// evaluations again are of its own draws, round by round: where chains have never been polynomials promise
+/// what is not there (three of four draws of leather_3's lay tens to hundreds of nats deeper than promised).
 /// @param places  [informed, n], a column each; of many, the last ones are taken
-/// @return        none for too few places, twice as many as monomials
-std::optional<Emulator> emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places,
-                                      const ChainState& mode, const Metric& laplace,
-                                      const EmulateSettings& settings);
+/// @param known   what the emulator has learnt from that chains were proposed to by: it knows tails that they
+///                have not been to
+Emulator emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places, const KnownResiduals& known,
+                       const ChainState& mode, const Metric& laplace, const EmulateSettings& settings);
 
 }  // namespace patina

@@ -1,6 +1,8 @@
 #include "engine/posterior/emulator.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 
 #include "engine/sampling/archive.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 // Of the monomials' sums of squares, which are about as large as the number of examples.
 constexpr double kRidge = 0.01;
+
+constexpr double kFollowed = 2;  // nats a coordinate above the best example
 
 /// Of the squares that are made least, 1 on average: what lies a nat a coordinate deeper than the best counts
 /// a quarter. Examples reach further than the posterior, and polynomials cannot follow all of it.
@@ -48,6 +52,8 @@ Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) 
   const Eigen::MatrixXd normal = weighted * design + Eigen::MatrixXd(ridge.asDiagonal());
   const Eigen::MatrixXd smoother = normal.ldlt().solve(weighted);  // C^T is residuals smoother^T
   weights_ = smoother * examples.products * smoother.transpose();
+  tail_ = static_cast<double>(dimension());
+  followed_ = examples.products.diagonal().minCoeff() / 2 + kFollowed * tail_;
 }
 
 Eigen::Index Emulator::monomials(Eigen::Index dimension) {
@@ -77,12 +83,17 @@ Evaluation Emulator::evaluate(const Position& position) const {
   const Eigen::VectorXd& u = position.continuous;
   const Eigen::VectorXd w = whitening_ * (axes_.values(u) - centre_), f = features(w), pull = weights_ * f;
   const Eigen::VectorXd by_axis = whitening_.transpose() * slope(w, pull);
-  return {-u.squaredNorm() / 2 - f.dot(pull) / 2, -u - axes_.derivatives(u).cwiseProduct(by_axis)};
+  const double misfit = f.dot(pull) / 2, beyond = std::max(misfit - followed_, 0.0);
+  const double flat = std::min(misfit, followed_) + tail_ * std::log1p(beyond / tail_);
+  const double share = tail_ / (tail_ + beyond);
+  return {-u.squaredNorm() / 2 - flat, -u - share * axes_.derivatives(u).cwiseProduct(by_axis)};
 }
 
 Emulator Emulator::softened(double power) const {
   Emulator soft = *this;
   soft.weights_ *= power;
+  soft.followed_ *= power;
+  soft.tail_ *= power;
   return soft;
 }
 
@@ -90,9 +101,12 @@ bool Emulator::is_of(Eigen::Index dimension) const {
   const Eigen::Index k = monomials(dimension);
   return axes_.fits(dimension) && centre_.size() == dimension && whitening_.rows() == dimension &&
          whitening_.cols() == dimension && weights_.rows() == k && weights_.cols() == k &&
-         centre_.allFinite() && whitening_.allFinite() && weights_.allFinite();
+         centre_.allFinite() && whitening_.allFinite() && weights_.allFinite() && std::isfinite(followed_) &&
+         tail_ > 0 && std::isfinite(tail_);
 }
 
-void Emulator::serialise(Archive& archive) { archive(axes_, centre_, whitening_, weights_); }
+void Emulator::serialise(Archive& archive) {
+  archive(axes_, centre_, whitening_, weights_, followed_, tail_);
+}
 
 }  // namespace patina

@@ -27,8 +27,10 @@ struct EmulatorExamples {
 /// refined where it is used, too). With w the parameters' logarithms, centred and whitened over the examples,
 /// and f(w) the monomials 1, w_i, w_i w_j and w_i^3,
 ///   log p(u) = -|u|^2 / 2 - 1/2 |C^T f(w)|^2
-/// of which only C C^T is kept. Never above zero, so that no far place looks better than it may be. Draws of
-/// it are proposals (make_two_stage), nothing more.
+/// of which only C C^T is kept. Never above zero, so that no far place looks better than it may be. Where the
+/// misfit is two nats a coordinate above the best example's, polynomials know little, and its rise E counts
+/// for d log(1 + E / d) only: where they think a hundred nats too little of a place, chains that are there
+/// are not held there by it. Draws of it are proposals (make_two_stage), nothing more.
 class Emulator final : public LogDensity {
  public:
   Emulator() = default;  ///< to be read from an archive
@@ -60,6 +62,8 @@ class Emulator final : public LogDensity {
   Eigen::VectorXd centre_;
   Eigen::MatrixXd whitening_;  ///< w = whitening (x - centre)
   Eigen::MatrixXd weights_;    ///< C C^T
+  double followed_ = 0;        ///< nats of misfit up to which it is what the polynomials say
+  double tail_ = 1;            ///< nats beyond, after which its rise counts by logarithms
 };
 
 }  // namespace patina

@@ -46,24 +46,27 @@ EmulateSettings learning(const RunSettings& run, RunShared& shared, std::atomic<
               }};
 }
 
-/// Where the chains were in the last part of warm-up, where they moved. @return [dimension, n]
+/// moves_of_warmup() as the chains' files have them. @return [dimension, n]
 Eigen::MatrixXd places_of_warmup(const Posterior& posterior, const std::filesystem::path& directory,
                                  const RunSettings& run) {
-  const auto warmup = static_cast<std::size_t>(run.warmup.value()), first = warmup / 5;
-  std::vector<Eigen::VectorXd> places;
+  const auto warmup = static_cast<std::size_t>(run.warmup.value());
+  std::vector<std::vector<ChainCsvReader::Row>> rows;
+  std::vector<std::vector<double>> log_densities;
   for (int chain = 0; chain < run.chains; ++chain) {
-    auto rows = ChainCsvReader(chain_file(directory, chain)).read_new(warmup);
-    rows.resize(std::min(rows.size(), warmup));
-    for (std::size_t i = first; i < rows.size(); ++i)
-      if (i == first || rows[i].row.lp != rows[i - 1].row.lp)
-        places.push_back(
-            posterior
-                .position(to_draw(rows[i], posterior.table(), chain, static_cast<std::int64_t>(i)).values)
-                .continuous);
+    rows.push_back(ChainCsvReader(chain_file(directory, chain)).read_new(warmup));
+    rows.back().resize(std::min(rows.back().size(), warmup));
+    auto& lp = log_densities.emplace_back();
+    for (const ChainCsvReader::Row& row : rows.back()) lp.push_back(row.row.lp);
   }
-  Eigen::MatrixXd all(posterior.dimension(), places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = places[i];
-  return all;
+  const std::vector<ChainIteration> moves = moves_of_warmup(log_densities);
+  Eigen::MatrixXd places(posterior.dimension(), moves.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto [chain, iteration] = moves[i];
+    const Draw draw = to_draw(rows[static_cast<std::size_t>(chain)][iteration], posterior.table(), chain,
+                              static_cast<std::int64_t>(iteration));
+    places.col(static_cast<Eigen::Index>(i)) = posterior.position(draw.values).continuous;
+  }
+  return places;
 }
 
 }  // namespace
@@ -102,9 +105,8 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
   return starts;
 }
 
-std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
-                                       const Metric& laplace, const std::vector<MapPoint>& basins,
-                                       const RunSettings& run, RunShared& shared) {
+Emulation learn_emulator(const Posterior& posterior, const ChainState& mode, const Metric& laplace,
+                         const std::vector<MapPoint>& basins, const RunSettings& run, RunShared& shared) {
   std::atomic<int> evaluated{0};
   const EmulateSettings settings = learning(run, shared, evaluated);
   std::vector<ChainState> ends;
@@ -120,19 +122,31 @@ std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainSt
                100 * made.taken);
   else if (misses_one(*made.emulator, posterior.informed(), posterior, mode, ends))
     why_not = "There are other matches about as good, which polynomials about this one do not follow";
-  if (why_not.empty()) return std::move(made.emulator);
+  if (why_not.empty()) return made;
   if (run.kernel == kEmulated) throw UserError(why_not + ": use --kernel hmc.");
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Emulator> emulator_of_warmup(const Posterior& posterior, const ChainState& mode,
-                                           const Metric& laplace, const std::filesystem::path& directory,
-                                           const RunSettings& run, RunShared& shared) {
+std::vector<ChainIteration> moves_of_warmup(const std::vector<std::vector<double>>& log_densities) {
+  std::size_t warmup = 0;
+  for (const std::vector<double>& lp : log_densities) warmup = std::max(warmup, lp.size());
+  std::vector<ChainIteration> moves;
+  for (std::size_t i = 0; i < warmup; ++i)
+    for (std::size_t k = 0; k < log_densities.size(); ++k) {
+      const std::vector<double>& lp = log_densities[k];
+      if (i < lp.size() && (i == 0 || lp[i] != lp[i - 1])) moves.push_back({static_cast<int>(k), i});
+    }
+  return moves;
+}
+
+Emulator emulator_of_warmup(const Posterior& posterior, const KnownResiduals& known, const ChainState& mode,
+                            const Metric& laplace, const std::filesystem::path& directory,
+                            const RunSettings& run, RunShared& shared) {
   std::atomic<int> evaluated{0};
   EmulateSettings settings = learning(run, shared, evaluated);
-  settings.round = 1;
+  settings.round = kAfterWarmup;
   const Eigen::MatrixXd places = places_of_warmup(posterior, directory, run);
-  return emulate_about(posterior, places(posterior.informed(), Eigen::all), mode, laplace, settings);
+  return emulate_about(posterior, places(posterior.informed(), Eigen::all), known, mode, laplace, settings);
 }
 
 }  // namespace patina

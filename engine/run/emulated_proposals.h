@@ -29,19 +29,30 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
                                         std::uint64_t seed, int threads,
                                         const std::function<void()>& enter_thread);
 
-/// emulate() of a run, on all processors; keeps its status up to date. None where polynomials do not follow
-/// the renders, or miss a basin, and the kernel is "auto".
+/// emulate() of a run, on all processors; keeps its status up to date. No emulator where polynomials do not
+/// follow the renders, or miss a basin, and the kernel is "auto".
 /// @param basins  that the search ended in
 /// @throws RunStopped   @throws UserError where they do so and the kernel is "emulated"
-std::optional<Emulator> learn_emulator(const Posterior& posterior, const ChainState& mode,
-                                       const Metric& laplace, const std::vector<MapPoint>& basins,
-                                       const RunSettings& settings, RunShared& shared);
+Emulation learn_emulator(const Posterior& posterior, const ChainState& mode, const Metric& laplace,
+                         const std::vector<MapPoint>& basins, const RunSettings& settings, RunShared& shared);
+
+/// An iteration of a chain.
+struct ChainIteration {
+  int chain = 0;
+  std::size_t iteration = 0;
+};
+
+/// Where chains moved to in warm-up: what to learn from again, in order of time, so that of the last ones
+/// each chain has its part. The first ones, too: they may have led through tails that chains have left since.
+/// @param log_densities  of each chain's iterations of warm-up
+std::vector<ChainIteration> moves_of_warmup(const std::vector<std::vector<double>>& log_densities);
 
 /// emulate_about() what the chains of a run have come to in warm-up, as their files have it.
+/// @param known  what warm-up's emulator has learnt from
 /// @throws RunStopped   @throws UserError for a file that cannot be read
-std::optional<Emulator> emulator_of_warmup(const Posterior& posterior, const ChainState& mode,
-                                           const Metric& laplace, const std::filesystem::path& directory,
-                                           const RunSettings& settings, RunShared& shared);
+Emulator emulator_of_warmup(const Posterior& posterior, const KnownResiduals& known, const ChainState& mode,
+                            const Metric& laplace, const std::filesystem::path& directory,
+                            const RunSettings& settings, RunShared& shared);
 
 /// The kernel's name without "auto". @param emulated  whether there is an emulator
 std::string kernel_in_use(const RunSettings& settings, bool emulated);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/posterior/emulator.h"
+#include "engine/posterior/known_residuals.h"
 #include "engine/posterior/posterior.h"
 #include "engine/posterior/wider_errors.h"
 #include "engine/run/calibrated_errors.h"
@@ -28,8 +29,9 @@ struct ModeFound {
   std::optional<WiderErrors> wider = {};        ///< of widened errors, likewise
   bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
   std::optional<Emulator> emulator = {};        ///< of these
-  bool has_learnt_again = false;                ///< about what warm-up has come to
-  std::optional<Emulator> of_warmup = {};       ///< learnt then, where there was enough to learn from
+
+  std::optional<KnownResiduals> known = {};  ///< that it was learnt from; not kept, learnt anew when recalled
+  bool has_learnt_again = false;             ///< what warm-up has come to; the emulator is of that then
 };
 
 /// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so

@@ -32,7 +32,6 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
   archive(found.has_tried_to_emulate);
   serialise(archive, found.emulator);
   archive(found.has_learnt_again);
-  serialise(archive, found.of_warmup);
 }
 
 }  // namespace
@@ -52,8 +51,7 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
         (found.errors && !fits(*found.errors, target)) ||
         (found.wider && !found.wider->are_of(target.photo_summary().size())) ||
-        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))) ||
-        (found.of_warmup && !found.of_warmup->is_of(std::ssize(target.informed()))))
+        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

@@ -207,11 +207,17 @@ void SamplerRun::keep(const ModeFound& found) {
 ModeFound SamplerRun::with_proposals(ModeFound found) {
   if (!emulates_ || settings_.map_only || found.has_tried_to_emulate) return found;
   const Stopwatch stopwatch(manifest_.seconds.search);
-  found.emulator =
-      learn_emulator(*posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_, shared_);
+  Emulation made = learnt_about(found);
+  found.emulator = std::move(made.emulator);
+  if (found.emulator) found.known = std::move(made.known);
   found.has_tried_to_emulate = true;
   keep(found);
   return found;
+}
+
+Emulation SamplerRun::learnt_about(const ModeFound& found) {
+  return learn_emulator(*posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_,
+                        shared_);
 }
 
 /// The draws that there are would be of one posterior, those to come of another.
@@ -307,32 +313,34 @@ void SamplerRun::use(const WiderErrors& wider) {
   posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(wider));
 }
 
-void SamplerRun::learn_again(ModeFound& found) {
-  if (!found.emulator || found.has_learnt_again) return;
+bool SamplerRun::learn_again(ModeFound& found) {
+  if (!found.emulator || found.has_learnt_again || *settings_.warmup == 0) return false;
   const Stopwatch stopwatch(manifest_.seconds.search);
-  found.of_warmup =
-      emulator_of_warmup(*posteriors_.back(), found.mode, *found.laplace, directory_, settings_, shared_);
+  if (!found.known) found.known = learnt_about(found).known;
+  found.emulator = emulator_of_warmup(*posteriors_.back(), *found.known, found.mode, *found.laplace,
+                                      directory_, settings_, shared_);
+
+  found.known.reset();
   found.has_learnt_again = true;
   keep(found);
+  return true;
 }
 
 void SamplerRun::sample(ModeFound found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
   const ControlledDensity target(posterior, shared_.control);
-  const auto emulated = [&](const std::vector<Emulator>& emulators) {
-    return make_emulated_kernel(emulators, posterior.informed(), target, settings_.path_length);
+  const auto emulated = [&] {
+    return make_emulated_kernel(*found.emulator, posterior.informed(), target, settings_.path_length);
   };
   const auto kernel = found.emulator
-                          ? emulated({*found.emulator})
+                          ? emulated()
                           : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
                                         settings_.discrete, settings_.path_length);
   std::unique_ptr<const Kernel> again;  // of the draws, where warm-up taught anything
   const auto kernel_of_draws = [&]() -> const Kernel& {
-    learn_again(found);
-    if (!found.of_warmup) return *kernel;
-    again = emulated({*found.emulator, *found.of_warmup});
-    return *again;
+    if (learn_again(found)) again = emulated();
+    return again ? *again : *kernel;
   };
   const ChainPlan plan{.settings = settings_,
                        .table = table_,

@@ -66,7 +66,8 @@ class SamplerRun final : public DrawSource {
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
   void sample(ModeFound found);
-  void learn_again(ModeFound& found);  ///< from warm-up, where proposals are emulated
+  Emulation learnt_about(const ModeFound& found);
+  bool learn_again(ModeFound& found);  ///< from warm-up; whether there is anything to
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;
 

@@ -52,9 +52,11 @@ KernelSettings warm_up(const LogDensity& target, const Kernel& kernel, const Sam
     std::vector<WindowResult> results(chains.size());
     const auto run_window = [&](std::size_t k) {
       OneChain& chain = chains[k];
-      for (int t = window.begin; t < window.end; ++t)
+      for (int t = window.begin; t < window.end; ++t) {
         chain.warmup.observe(chain.state,
                              kernel.step(target, chain.warmup.settings(), chain.state, chain.rng));
+        if (settings.warmed) settings.warmed(static_cast<int>(k), chain.state);
+      }
       results[k] = chain.warmup.take_window();
     };
     parallel_for(chains.size(), settings.threads, run_window, settings.enter_thread);
@@ -86,13 +88,14 @@ Sample sample(const LogDensity& target, const Kernel& kernel, const SampleSettin
   std::vector<OneChain> chains = begin_all(target, kernel, settings, start, metric);
   Sample sample;
   sample.frozen = warm_up(target, kernel, settings, chains);
+  const Kernel& of_draws = settings.kernel_of_draws ? settings.kernel_of_draws() : kernel;
   if (settings.warmed_up) settings.warmed_up(sample.frozen);
   sample.noise = value_noise(target, chains.front().state.position, settings.noise_repeats, settings.threads,
                              settings.enter_thread);
   shape(sample, target, settings);
   std::vector<SampleTally> tallies(chains.size());
   const auto draw_chain = [&](std::size_t k) {
-    tallies[k] = draw(target, kernel, settings, static_cast<Eigen::Index>(k), chains[k], sample);
+    tallies[k] = draw(target, of_draws, settings, static_cast<Eigen::Index>(k), chains[k], sample);
   };
   parallel_for(chains.size(), settings.threads, draw_chain, settings.enter_thread);
   add_tallies(sample, tallies);

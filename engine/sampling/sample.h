@@ -20,11 +20,13 @@ struct SampleSettings {
   double metric_worth = 0;  ///< of the metric that warm-up begins with, see pool()
   int noise_repeats = 20;   ///< evaluations of one place after warm-up, see value_noise(); 0: none
   int threads = 1;          ///< chains at a time; the sample is the same
-  // For who watches or breaks off (by throwing); they see chains and cannot change them.
+  // For who watches or breaks off (by throwing); all but the last see chains and cannot change them.
   std::function<void()> enter_thread = {};                    ///< called first on each thread of the chains
   std::function<void(const KernelSettings&)> warmed_up = {};  ///< called once, when all chains have
-  /// Called after each draw, from the chains' threads at the same time.
-  std::function<void(int chain, const ChainState&)> drew = {};
+  /// Called after each iteration of warm-up, and after each draw, from the chains' threads at the same time.
+  std::function<void(int chain, const ChainState&)> warmed = {}, drew = {};
+  /// The kernel of the draws, asked for once all chains are warm; empty: warm-up's. It outlives the chains.
+  std::function<const Kernel&()> kernel_of_draws = {};
 };
 
 /// What several chains drew after warm-up. A matrix has a row per draw and a column per chain, as the

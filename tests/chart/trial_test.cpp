@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/chart/photo_problem.h"
 #include "tests/chart/gaussian_problem.h"
 
 namespace patina {
@@ -103,6 +104,56 @@ TEST(Trial, draws_from_the_target_where_a_posterior_beside_it_proposes) {
   const Trial beside = run_trial(problem, setting, {.seed = 3, .draws = 4000, .threads = 2});
   EXPECT_GT(beside.draws().continuous[1].mean(), problem.true_mean(1) + 0.1 * problem.true_sd(1))
       << "drawn from what proposes, the means are off";
+}
+
+/// A posterior's, which counts what is learnt from its warm-up.
+class EmulatedProblem final : public ChartProblem {
+ public:
+  std::string description() const override { return photo_.description(); }
+  std::vector<std::string> names() const override { return photo_.names(); }
+  std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override {
+    return photo_.targets(setting);
+  }
+  Eigen::VectorXd values(const Position& position) const override { return photo_.values(position); }
+  void use_threads(int count) const override { photo_.use_threads(count); }
+  std::vector<Eigen::Index> informed() const override { return photo_.informed(); }
+  Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts, const Metric& laplace,
+                    std::uint64_t seed, const std::function<void()>& evaluated) const override {
+    return photo_.emulate(setting, starts, laplace, seed, evaluated);
+  }
+  Emulator emulate_about(const ChartSetting& setting, const Eigen::MatrixXd& places,
+                         const KnownResiduals& known, const ChainState& mode, const Metric& laplace,
+                         std::uint64_t seed, const std::function<void()>& evaluated) const override {
+    places_ += places.cols();
+    known_ += known.count();
+    return photo_.emulate_about(setting, places, known, mode, laplace, seed, evaluated);
+  }
+
+  Eigen::Index places() const { return places_; }
+  Eigen::Index known() const { return known_; }
+
+ private:
+  static RunSettings settings() {
+    RunSettings settings;
+    settings.material = "bump";
+    settings.summary = "means";
+    settings.resolution = 32;
+    return settings;
+  }
+
+  PhotoProblem photo_{settings(), photo_of_prior_draw(settings(), 1, 2), "a draw from the prior"};
+  mutable Eigen::Index places_ = 0, known_ = 0;
+};
+
+TEST(Trial, of_emulated_proposals_learns_them_again_from_warm_up_as_a_run_does) {
+  const EmulatedProblem problem;
+  ChartSetting setting = default_setting(/*has_jagged=*/false, /*can_emulate=*/true);
+  setting.warmup = 60;
+  const Trial trial = run_trial(problem, setting, {.seed = 3, .draws = 40, .threads = 2});
+  ASSERT_EQ(trial.draws().draws(), 40);
+  EXPECT_GT(problem.places(), 60) << "of four chains of 60";
+  EXPECT_LE(problem.places(), 240);
+  EXPECT_GT(problem.known(), 100) << "what was learnt before counts on";
 }
 
 TEST(Trial, whose_time_is_over_while_it_learns_has_no_draws) {

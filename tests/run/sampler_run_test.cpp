@@ -83,7 +83,7 @@ TEST_P(EmulatedRun, GoesOnFromWhereItWasStoppedToTheSameDraws) {
   RunSettings emulated = settings();
   emulated.material = GetParam();
   emulated.kernel = "emulated";
-  emulated.warmup = 500;  // enough to learn from again
+  emulated.warmup = 500;  // long enough to be stopped in
   emulated.draws = 60;
   const auto whole = start_run(emulated, photo(), folder_ / "whole");
   draws_to_the_end(*whole);
@@ -93,22 +93,29 @@ TEST_P(EmulatedRun, GoesOnFromWhereItWasStoppedToTheSameDraws) {
   const auto searched = start_run(emulated, photo(), folder_ / "parts");
   draws_to_the_end(*searched);
   emulated.map_only = false;
+  const auto warming = resume_run(emulated, photo(), folder_ / "parts");
+  ASSERT_TRUE(comes_true([&] { return warming->status().phase == RunPhase::warming_up; }));
+  warming->stop();
+  draws_to_the_end(*warming);
+  EXPECT_FALSE(found_in(folder_ / "parts").has_learnt_again)
+      << "so that it is learnt again by another program";
   draws_to_the_end(*resume_run(emulated, photo(), folder_ / "parts"));
   emulated.draws = 60;
   const auto rest = resume_run(emulated, photo(), folder_ / "parts");
   draws_to_the_end(*rest);
   for (const char* name : {"chain-1.csv", "chain-2.csv"})
     EXPECT_EQ(without_times(folder_ / "parts" / name), without_times(folder_ / "whole" / name));
-  EXPECT_TRUE(found_in(folder_ / "parts").of_warmup);
+  EXPECT_TRUE(found_in(folder_ / "parts").has_learnt_again);
 }
 
-TEST_F(SamplerRunTest, ProposalsAreNotLearntAgainFromTooLittle) {
+TEST_F(SamplerRunTest, ProposalsAreNotLearntAgainWithoutWarmUp) {
   RunSettings emulated = settings();
   emulated.kernel = "emulated";
+  emulated.warmup = 0;
   draws_to_the_end(*start(emulated));
   const ModeFound found = found_in(directory());
-  EXPECT_TRUE(found.emulator && found.has_learnt_again);
-  EXPECT_FALSE(found.of_warmup);
+  EXPECT_TRUE(found.emulator);
+  EXPECT_FALSE(found.has_learnt_again);
 }
 
 TEST_F(SamplerRunTest, RunJsonTellsWhichKernelItTookByItself) {
