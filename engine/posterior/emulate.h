@@ -70,9 +70,9 @@ Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& sta
                   const EmulateSettings& settings);
 
 /// An emulator of places that chains have come to, evaluated with other places of textures and levels of
-/// their prior: about the posterior it is several times as exact as one that had to find it. As many
-/// evaluations again are of its own draws, round by round: where chains have never been polynomials promise
-/// what is not there (three of four draws of leather_3's lay tens to hundreds of nats deeper than promised).
+/// their prior: about the posterior it is several times as exact as one that had to find it. Then from
+/// its own draws, round by round, until they are where it says: where chains have never been, polynomials
+/// promise what is not there (of leather_3's three of four draws lay 10 to 460 nats deeper).
 /// @param places  [informed, n], a column each; of many, the last ones are taken
 /// @param known   what the emulator has learnt from that chains were proposed to by: it knows tails that they
 ///                have not been to
