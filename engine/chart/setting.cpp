@@ -1,8 +1,10 @@
 #include "engine/chart/setting.h"
 
+#include <algorithm>
 #include <functional>
 #include <initializer_list>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/run_settings.h"
@@ -160,10 +162,16 @@ std::vector<ChartSetting> preset_settings(const std::string& preset, const Chart
 }
 
 std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup) {
-  const int usual = settings.empty() ? 0 : settings.front().warmup;
-  std::erase_if(settings, [=](const ChartSetting& setting) { return setting.warmup != usual; });
-  for (ChartSetting& setting : settings) setting.warmup = warmup;
-  return settings;
+  std::vector<ChartSetting> result;
+  for (ChartSetting& setting : settings) {
+    setting.warmup = warmup;
+    const bool is_there = std::ranges::any_of(result, [&](ChartSetting other) {
+      other.name = setting.name;
+      return other == setting;
+    });
+    if (!is_there) result.push_back(std::move(setting));
+  }
+  return result;
 }
 
 }  // namespace patina

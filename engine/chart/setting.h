@@ -57,7 +57,7 @@ std::vector<std::string> chart_presets();
 /// @throws std::invalid_argument for a name that is not among chart_presets()
 std::vector<ChartSetting> preset_settings(const std::string& preset, const ChartTarget& target);
 
-/// Gives all settings so much warm-up; those whose warm-up is not the first one's are left out.
+/// Gives all settings so much warm-up; those that are then what another one before is are left out.
 std::vector<ChartSetting> with_warmup(std::vector<ChartSetting> settings, int warmup);
 
 }  // namespace patina

@@ -153,6 +153,16 @@ TEST(ChartSettings, emulate_what_is_smooth) {
     }
 }
 
+TEST(ChartSettings, of_a_jagged_target_that_can_be_emulated_are_no_fewer) {
+  // Though warm-up is as long as a smooth one's for the default, and longer for all that it is set against.
+  for (const std::string& preset : chart_presets()) {
+    const ChartTarget plain{.resolution = 64, .has_jagged = true};
+    ChartTarget emulated = plain;
+    emulated.can_emulate = true;
+    EXPECT_EQ(preset_settings(preset, emulated).size(), preset_settings(preset, plain).size() + 1) << preset;
+  }
+}
+
 TEST(ChartSettings, round_where_that_pays) {
   for (const bool can_round : {false, true}) {
     const auto settings = preset_settings("quick", {.resolution = 64, .can_round = can_round});
