@@ -83,9 +83,8 @@ Emulator PhotoProblem::emulate_about(const ChartSetting&, const Eigen::MatrixXd&
                                      const KnownResiduals& known, const ChainState& mode,
                                      const Metric& laplace, std::uint64_t seed,
                                      const std::function<void()>& evaluated) const {
-  EmulateSettings settings = learning(seed, evaluated);
-  settings.round = kAfterWarmup;
-  return patina::emulate_about(*posterior_, places(informed(), Eigen::all), known, mode, laplace, settings);
+  return patina::emulate_about(*posterior_, places(informed(), Eigen::all), known, mode, laplace,
+                               learning(seed, evaluated));
 }
 
 std::vector<Eigen::Index> PhotoProblem::informed() const { return posterior_->informed(); }

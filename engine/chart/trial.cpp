@@ -196,10 +196,9 @@ class Running {
   std::vector<std::unique_ptr<LogDensity>> targets_ = problem_.targets(setting_);
   std::unique_ptr<LogDensity> proposer_;  ///< where there are two stages
   std::vector<std::unique_ptr<MeteredDensity>> metered_;
-  std::vector<ChainState> basins_;  ///< that the search ended in
-  Emulation made_;                  ///< of warm-up
-  std::vector<std::vector<ChainState>>
-      warmup_;  ///< of each chain, where there is an emulator to be learnt again
+  std::vector<ChainState> basins_;               ///< that the search ended in
+  Emulation made_;                               ///< of warm-up
+  std::vector<std::vector<ChainState>> warmup_;  ///< each chain's, where there is an emulator
 };
 
 template <typename Vector>

@@ -20,7 +20,8 @@
 namespace patina {
 namespace {
 
-constexpr std::uint64_t kEmulatorStream = 0x656d'756c;  // apart from the search's and the chains'
+// Apart from the search's and the chains'; what is learnt again sees other places of textures and levels.
+constexpr std::uint64_t kEmulatorStream = 0x656d'756c, kAgainStream = kEmulatorStream + 1;
 
 constexpr int kMovesFar = 50, kMovesNear = 1;  // of a proposal
 constexpr double kProposing = 0.9;             // share of the proposals
@@ -110,7 +111,7 @@ struct Walker {
 class Learner {
  public:
   Learner(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
-          const EmulateSettings& settings)
+          const EmulateSettings& settings, std::uint64_t stream)
       : posterior_(posterior),
         settings_(settings),
         mode_(starts.front().position.continuous),
@@ -120,7 +121,7 @@ class Learner {
         observed_(posterior.in_errors(posterior.photo_summary())),
         first_(2 * Emulator::monomials(std::ssize(informed_))),
         most_(settings.most > 0 ? settings.most : std::max(kFewest, 3 * first_)),
-        rng_(settings.seed, kEmulatorStream + settings.round) {
+        rng_(settings.seed, stream) {
     const std::vector<TruncatedNormal> all = posterior.free_priors();
     std::vector<TruncatedNormal> priors;
     for (const Eigen::Index i : informed_) priors.push_back(all[static_cast<std::size_t>(i)]);
@@ -350,12 +351,12 @@ bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& infor
 
 Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings) {
-  return Learner(posterior, starts, laplace, settings).learn();
+  return Learner(posterior, starts, laplace, settings, kEmulatorStream).learn();
 }
 
 Emulator emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places, const KnownResiduals& known,
                        const ChainState& mode, const Metric& laplace, const EmulateSettings& settings) {
-  return Learner(posterior, {mode}, laplace, settings).learn_at(places, known);
+  return Learner(posterior, {mode}, laplace, settings, kAgainStream).learn_at(places, known);
 }
 
 }  // namespace patina

@@ -25,7 +25,7 @@ struct EmulateSettings {
   double good = 0.7, poor = 0.1;
   int threads = 1;
   std::uint64_t seed = 1;
-  std::uint64_t round = 0;                  ///< another one learns from renders with other places and levels
+
   std::function<void()> enter_thread = {};  ///< called first on each thread
   std::function<void()> evaluated = {};     ///< called after each evaluation, from any thread; may throw
 };
@@ -46,7 +46,6 @@ std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const LogDensity& target, double path_length);
 
 constexpr int kEmulatorWalkers = 16;
-constexpr std::uint64_t kAfterWarmup = 1;  ///< EmulateSettings::round of what is learnt then
 
 /// Whether a posterior can be emulated: it has informed coordinates. What its places of textures and its
 /// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.

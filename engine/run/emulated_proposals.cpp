@@ -143,10 +143,9 @@ Emulator emulator_of_warmup(const Posterior& posterior, const KnownResiduals& kn
                             const Metric& laplace, const std::filesystem::path& directory,
                             const RunSettings& run, RunShared& shared) {
   std::atomic<int> evaluated{0};
-  EmulateSettings settings = learning(run, shared, evaluated);
-  settings.round = kAfterWarmup;
   const Eigen::MatrixXd places = places_of_warmup(posterior, directory, run);
-  return emulate_about(posterior, places(posterior.informed(), Eigen::all), known, mode, laplace, settings);
+  return emulate_about(posterior, places(posterior.informed(), Eigen::all), known, mode, laplace,
+                       learning(run, shared, evaluated));
 }
 
 }  // namespace patina

@@ -29,7 +29,6 @@ struct ModeFound {
   std::optional<WiderErrors> wider = {};        ///< of widened errors, likewise
   bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
   std::optional<Emulator> emulator = {};        ///< of these
-
   std::optional<KnownResiduals> known = {};  ///< that it was learnt from; not kept, learnt anew when recalled
   bool has_learnt_again = false;             ///< what warm-up has come to; the emulator is of that then
 };

@@ -319,7 +319,6 @@ bool SamplerRun::learn_again(ModeFound& found) {
   if (!found.known) found.known = learnt_about(found).known;
   found.emulator = emulator_of_warmup(*posteriors_.back(), *found.known, found.mode, *found.laplace,
                                       directory_, settings_, shared_);
-
   found.known.reset();
   found.has_learnt_again = true;
   keep(found);

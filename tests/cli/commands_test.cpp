@@ -192,7 +192,7 @@ TEST_F(Commands, AnInterruptedFitKeepsItsDrawsAndSucceeds) {
 
 TEST_F(Commands, AFullDiskPausesTheFitWhichGoesOnWhenThereIsRoom) {
   std::vector<std::string> arguments = small_fit(photo(), "run");
-    *(std::ranges::find(arguments, "--draws") + 1) = "600";
+  *(std::ranges::find(arguments, "--draws") + 1) = "600";
   arguments.insert(arguments.end(), {"--ess", "0", "--rhat", "0"});  // none of them is too many
   CliProcess fit(arguments, folder_);
   ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(path("run/chain-2.csv")); }));
