@@ -304,7 +304,7 @@ class Learner {
         places.col(at) = record.places[i];
         residuals.col(at) = record.residuals[i];
       }
-    known_.add(places, residuals);
+    known_.add(places, residuals, settings_.threads, settings_.enter_thread);
   }
 
   const Posterior& posterior_;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/sampling/parallel_for.h"
+
 namespace patina {
 
 namespace {
@@ -18,29 +20,33 @@ at::Tensor transposed(const Eigen::Ref<const Eigen::MatrixXf>& matrix) {
 }
 
 /// A^T B in double: in float a product would promise more than a perfect match somewhere.
-Eigen::MatrixXd product(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
-  constexpr Eigen::Index kBlock = 256;  // columns in double at a time
+Eigen::MatrixXd product(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, int threads,
+                        const std::function<void()>& enter_thread) {
+  constexpr Eigen::Index kBlock = 128;  // columns in double at a time
   const at::Tensor right = transposed(b).t();
   Eigen::MatrixXd result(a.cols(), b.cols());
-  for (Eigen::Index first = 0; first < a.cols(); first += kBlock) {
+  const auto work = [&](std::size_t i) {
+    const Eigen::Index first = static_cast<Eigen::Index>(i) * kBlock;
     const Eigen::Index columns = std::min(kBlock, a.cols() - first);
     const at::Tensor block = transposed(a.middleCols(first, columns)).mm(right);
     result.middleRows(first, columns) =
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
             block.data_ptr<double>(), columns, b.cols());
-  }
+  };
+  parallel_for(static_cast<std::size_t>((a.cols() + kBlock - 1) / kBlock), threads, work, enter_thread);
   return result;
 }
 
 }  // namespace
 
-void KnownResiduals::add(const Eigen::MatrixXd& places, const Eigen::MatrixXf& residuals) {
+void KnownResiduals::add(const Eigen::MatrixXd& places, const Eigen::MatrixXf& residuals, int threads,
+                         const std::function<void()>& enter_thread) {
   const Eigen::Index before = count(), more = places.cols(), after = before + more;
   all_.places.conservativeResize(places.rows(), after);
   all_.places.rightCols(more) = places;
   residuals_.conservativeResize(residuals.rows(), after);
   residuals_.rightCols(more) = residuals;
-  const Eigen::MatrixXd beside = product(residuals_, residuals);
+  const Eigen::MatrixXd beside = product(residuals_, residuals, threads, enter_thread);
   all_.products.conservativeResize(after, after);
   all_.products.rightCols(more) = beside;
   all_.products.bottomLeftCorner(more, before) = beside.topRows(before).transpose();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 #include "engine/posterior/emulator.h"
@@ -12,7 +13,9 @@ namespace patina {
 class KnownResiduals {
  public:
   /// @param places  of the coordinates that are emulated, a column each   @param residuals  there, likewise
-  void add(const Eigen::MatrixXd& places, const Eigen::MatrixXf& residuals);
+  /// @param threads, enter_thread  as parallel_for() has them
+  void add(const Eigen::MatrixXd& places, const Eigen::MatrixXf& residuals, int threads = 1,
+           const std::function<void()>& enter_thread = {});
 
   Eigen::Index count() const { return all_.count(); }
   const EmulatorExamples& all() const { return all_; }

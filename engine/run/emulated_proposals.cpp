@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <utility>
 
 #include "engine/error.h"
@@ -18,6 +19,7 @@
 namespace patina {
 namespace {
 
+constexpr std::size_t kStartsAWalker = 3;
 constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164;  // apart from the search's and the chains'
 
 /// Why a run's proposals cannot be emulated; empty if they may be.
@@ -27,6 +29,28 @@ std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
   if (settings.temper != 0) return "has no ladder";
   if (settings.start != "map") return "begins at the best match alone";
   return "";
+}
+
+/// Of `places` the first ones, as `kept`, and then so many that each lies as far from those before it as may
+/// be.
+/// @param sds  units of distance, of each coordinate
+std::vector<ChainState> furthest_apart(const std::vector<ChainState>& places, std::size_t kept,
+                                       std::size_t count, const Eigen::VectorXd& sds) {
+  std::vector<ChainState> chosen(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(kept));
+  std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());
+  const auto note = [&](const ChainState& taken) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      distances[i] = std::min(
+          distances[i],
+          (places[i].position.continuous - taken.position.continuous).cwiseQuotient(sds).squaredNorm());
+  };
+  for (const ChainState& state : chosen) note(state);
+  while (chosen.size() < count) {
+    const auto furthest = std::ranges::max_element(distances) - distances.begin();
+    chosen.push_back(places[static_cast<std::size_t>(furthest)]);
+    note(chosen.back());
+  }
+  return chosen;
 }
 
 /// On all processors, the run's status kept up to date. @param evaluated  counts; outlives the result
@@ -95,14 +119,14 @@ std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainSta
                                         std::uint64_t seed, int threads,
                                         const std::function<void()>& enter_thread) {
   std::vector<ChainState> starts = basins.empty() ? std::vector<ChainState>{mode} : basins;
-  const std::size_t found = starts.size();
-  starts.resize(std::max<std::size_t>(found, kEmulatorWalkers));
+  const std::size_t found = starts.size(), count = std::max<std::size_t>(found, kEmulatorWalkers);
+  starts.resize(found + kStartsAWalker * (count - found));
   const auto spread = [&](std::size_t i) {
     Rng rng(seed, kSpreadStream + i);
     starts[found + i] = overdispersed_start(target, mode, laplace, rng);
   };
   parallel_for(starts.size() - found, threads, spread, enter_thread);
-  return starts;
+  return furthest_apart(starts, found, count, laplace.covariance().diagonal().cwiseSqrt());
 }
 
 Emulation learn_emulator(const Posterior& posterior, const ChainState& mode, const Metric& laplace,

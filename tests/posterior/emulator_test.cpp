@@ -187,7 +187,7 @@ TEST(KnownResiduals, HaveTheProductsOfAllThatWereAddedHoweverTheyCame) {
   KnownResiduals known;
   Eigen::Index first = 0;
   for (const Eigen::Index count : counts) {
-    known.add(places.middleCols(first, count), residuals.middleCols(first, count));
+    known.add(places.middleCols(first, count), residuals.middleCols(first, count), /*threads=*/3);
     first += count;
   }
   const Eigen::MatrixXd exact = residuals.cast<double>().transpose() * residuals.cast<double>();
