@@ -31,8 +31,7 @@ std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
   return "";
 }
 
-/// Of `places` the first ones, as `kept`, and then so many that each lies as far from those before it as may
-/// be.
+/// The first `kept` places, then others up to `count`, each as far from those before it as may be.
 /// @param sds  units of distance, of each coordinate
 std::vector<ChainState> furthest_apart(const std::vector<ChainState>& places, std::size_t kept,
                                        std::size_t count, const Eigen::VectorXd& sds) {

@@ -25,8 +25,8 @@ bool emulates(const RunSettings& settings, const Posterior& posterior);
 /// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
 /// of three times as many starts as chains have them those that lie furthest apart, in Laplace's sds. What
 /// none begins in, polynomials may never learn of: an end of leather_6's posterior, power above .4, they
-/// thought 20 to 40 nats too little of where none of sixteen starts lay there, two of three seeds, and half
-/// a nat where one did.
+/// thought 7 to 43 nats too little of where no start lay there, by three of four seeds, and half a nat where
+/// one did.
 std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
                                         const std::vector<ChainState>& basins, const Metric& laplace,
                                         std::uint64_t seed, int threads,

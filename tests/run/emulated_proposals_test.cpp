@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+
 #include <functional>
 #include <limits>
 #include <utility>
@@ -66,6 +66,7 @@ TEST(EmulatorStarts, AreTheBasinsAndThenThoseThatLieFurthestApart) {
     Rng rng(5, i);
     as_they_come.push_back(overdispersed_start(target, mode, laplace, rng));
   }
+  EXPECT_FALSE(std::ranges::is_sorted(distances_to_those_before(as_they_come, 2), std::greater<>()));
   const double apart = distances_to_those_before(starts, 2).back();
   EXPECT_GT(apart, std::ranges::min(distances_to_those_before(as_they_come, 2)));
 }
