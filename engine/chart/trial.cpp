@@ -105,7 +105,7 @@ class Running {
     settings.warmup = setting_.warmup;
     settings.draws = plan_.draws;
     settings.seed = plan_.seed;
-    settings.metric = metric_kind(setting_.metric);
+
     settings.metric_worth = 10.0 * static_cast<double>(target.dimension());  // as a run has it
     settings.threads = setting_.chains;
     settings.noise_repeats = 0;  // they are no part of what a setting costs
@@ -130,8 +130,9 @@ class Running {
             .position;
       return overdispersed_start(target, mode, laplace, rng).position;
     };
-    const Metric first(restricted(laplace.covariance(), settings.metric));
     const std::unique_ptr<Kernel> kernel = this->kernel(target, mode, laplace);
+    settings.metric = metric_in_use(metric_kind(setting_.metric), made_.emulator.has_value());
+    const Metric first(restricted(laplace.covariance(), settings.metric));
     std::unique_ptr<Kernel> again;
     settings.kernel_of_draws = [&]() -> const Kernel& {
       again = kernel_of_warmup(target, mode, laplace);

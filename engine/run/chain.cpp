@@ -114,15 +114,13 @@ void Chain::sample(const Kernel& kernel) noexcept {
 
 void Chain::begin() {
   const Stopwatch stopwatch(at_.warmup_seconds);
-  const RunSettings& settings = plan_.settings;
   const auto start = [&](Rng& rng) {
     return plan_.start ? start_at(plan_.target, plan_.start, rng)
                        : overdispersed_start(plan_.target, plan_.mode, *plan_.laplace, rng);
   };
-  const auto metric =
-      std::make_shared<const Metric>(restricted(plan_.laplace->covariance(), metric_kind(settings.metric)));
-  at_.climber = begin_climb(plan_.target, plan_.kernel, settings.rungs(), metric, settings.warmup.value() > 0,
-                            start, rng_);
+  const auto metric = std::make_shared<const Metric>(restricted(plan_.laplace->covariance(), plan_.metric));
+  at_.climber = begin_climb(plan_.target, plan_.kernel, plan_.settings.rungs(), metric,
+                            plan_.settings.warmup.value() > 0, start, rng_);
   begun_ = true;
 }
 

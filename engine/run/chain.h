@@ -28,6 +28,7 @@ struct ChainPlan {
   std::function<ParameterValues(const Position&)> values;  ///< from sampling coordinates
   ChainState mode;
   std::shared_ptr<const Metric> laplace;
+  MetricKind metric;  ///< that chains share
   std::filesystem::path directory;
   std::string run_key = "-";  ///< of the run's state files
   std::chrono::milliseconds checkpoint_interval{2000};

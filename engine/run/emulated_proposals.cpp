@@ -113,6 +113,10 @@ std::string kernel_in_use(const RunSettings& settings, bool emulated) {
   return emulated ? kEmulated : "hmc";
 }
 
+MetricKind metric_in_use(MetricKind asked, bool emulated) {
+  return emulated && asked == MetricKind::curved ? MetricKind::dense : asked;
+}
+
 std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
                                         const std::vector<ChainState>& basins, const Metric& laplace,
                                         std::uint64_t seed, int threads,

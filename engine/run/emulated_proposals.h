@@ -60,4 +60,10 @@ Emulator emulator_of_warmup(const Posterior& posterior, const KnownResiduals& kn
 /// The kernel's name without "auto". @param emulated  whether there is an emulator
 std::string kernel_in_use(const RunSettings& settings, bool emulated);
 
+/// The kind of metric that chains share: no curved one where there is an emulator. Its proposals are not
+/// straightened, and the covariance that a curved metric has is of straightened coordinates: by it steps were
+/// a quarter as long as by that of their own.
+/// @param asked  for by who runs them
+MetricKind metric_in_use(MetricKind asked, bool emulated);
+
 }  // namespace patina

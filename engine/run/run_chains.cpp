@@ -56,7 +56,7 @@ ChainsDone run_chains(const ChainPlan& plan, const WarmupRecord& record, RunShar
   // known.
   const double laplace_worth = 10.0 * static_cast<double>(plan.target.dimension());
   WarmupMeeting meeting(
-      plan.settings.chains, metric_kind(plan.settings.metric), laplace_worth, plan.target.jagged(),
+      plan.settings.chains, plan.metric, laplace_worth, plan.target.jagged(),
       [&](const WarmupRecord& held) {
         shared.write_or_pause([&] { write_warmup(plan.directory, plan.run_key, held); });
       },

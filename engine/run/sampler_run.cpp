@@ -348,6 +348,7 @@ void SamplerRun::sample(ModeFound found) {
                        .values = [&](const Position& position) { return posterior.values(position); },
                        .mode = found.mode,
                        .laplace = found.laplace,
+                       .metric = metric_in_use(metric_kind(settings_.metric), found.emulator.has_value()),
                        .directory = directory_,
                        .run_key = run_key_,
                        .start = start_of(posterior, settings_, photo_),

@@ -64,9 +64,10 @@ class ChainTest : public FolderTest {
                          },
                          {mode, Gaussian().evaluate(mode)},
                          std::make_shared<const Metric>(target_.covariance),
+                         MetricKind::dense,
                          directory_};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(3); });
-    WarmupMeeting meeting(3);
+    WarmupMeeting meeting(3, plan.metric);
     std::deque<Chain> chains;
     for (int k = 0; k < 3; ++k) chains.emplace_back(plan, meeting, shared, k);
     std::vector<std::jthread> threads;

@@ -67,13 +67,14 @@ class CheapChainsTest : public FolderTest {
                          },
                          {mode, target_.density(mode)},
                          std::make_shared<const Metric>(Metric::identity(2)),
+                         MetricKind::curved,
                          directory,
                          "key",
                          std::chrono::milliseconds(1),
                          start_};
     shared.edit_status([&](RunStatus& status) { status.chains.resize(kChains); });
     WarmupMeeting meeting(
-        kChains, MetricKind::curved, 20, {},
+        kChains, plan.metric, 20, {},
         [&](const WarmupRecord& record) { write_warmup(directory, "key", record); },
         read_warmup(directory, "key", target, settings_.rungs()));
     std::deque<Chain> chains;
