@@ -145,8 +145,9 @@ class Running {
   std::unique_ptr<Kernel> kernel(const LogDensity& target, const ChainState& mode, const Metric& laplace) {
     if (setting_.proposals != 0) return two_stage();
     if (setting_.kernel != kEmulated) return problem_.kernel(setting_, target);
-    const std::vector<ChainState> starts = emulator_starts(target, mode, basins_, laplace, plan_.seed,
-                                                           plan_.threads, [&] { problem_.use_threads(1); });
+    const std::vector<ChainState> starts =
+        emulator_starts(*metered_.front(), target, mode, basins_, laplace, plan_.seed, plan_.threads,
+                        [&] { problem_.use_threads(1); });
     made_ = problem_.emulate(setting_, starts, laplace, plan_.seed, [&] { meter_.count(false); });
     const std::vector<Eigen::Index> informed = problem_.informed();
     if (made_.emulator && misses_one(*made_.emulator, informed, target, mode, basins_))

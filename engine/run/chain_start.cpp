@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "engine/error.h"
@@ -41,18 +42,24 @@ Eigen::VectorXd draw_coordinates(const LogDensity& target, const Eigen::VectorXd
 
 ChainState overdispersed_start(const LogDensity& target, const ChainState& mode, const Metric& laplace,
                                Rng& rng) {
-  OptimizerSettings climb;
-  climb.max_iterations = kClimb;
-  climb.good_enough = mode.evaluation.log_density - deepest_fall(mode.position.continuous.size());
   double spread = 1;
   for (int i = 0; i < kStartTries; ++i, spread *= kNarrowing) {
     Position start = mode.position;
     start.continuous = draw_coordinates(target, mode.position.continuous, laplace, spread, rng);
     if (i < kStartTries / 2) start.discrete = draw_levels(target.discrete_levels(), rng);
-    const OptimizerResult climbed = maximize(target, start, climb);
-    if (climbed.evaluation.log_density >= climb.good_enough) return {climbed.position, climbed.evaluation};
+    if (auto climbed = climbed_start(target, mode, start)) return std::move(*climbed);
   }
   return mode;
+}
+
+std::optional<ChainState> climbed_start(const LogDensity& target, const ChainState& mode,
+                                        const Position& from) {
+  OptimizerSettings climb;
+  climb.max_iterations = kClimb;
+  climb.good_enough = mode.evaluation.log_density - deepest_fall(mode.position.continuous.size());
+  OptimizerResult climbed = maximize(target, from, climb);
+  if (!(climbed.evaluation.log_density >= climb.good_enough)) return std::nullopt;
+  return ChainState{std::move(climbed.position), std::move(climbed.evaluation)};
 }
 
 std::vector<std::string> start_names() { return {"map", "predict", "prior", "prior-mean", "values"}; }

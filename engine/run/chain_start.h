@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ namespace patina {
 /// @return a state of finite log density; the mode itself if no try of kStartTries will do
 ChainState overdispersed_start(const LogDensity& target, const ChainState& mode, const Metric& laplace,
                                Rng& rng);
+
+/// The climb of overdispersed_start() from a place of the caller's; none where it does not get there.
+std::optional<ChainState> climbed_start(const LogDensity& target, const ChainState& mode,
+                                        const Position& from);
 
 constexpr int kStartTries = 8;
 

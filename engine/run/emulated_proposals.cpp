@@ -20,7 +20,8 @@ namespace patina {
 namespace {
 
 constexpr std::size_t kStartsAWalker = 3;
-constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164;  // apart from the search's and the chains'
+// Apart from the search's and the chains'.
+constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164, kNearerStream = 0x6e65'6172'6572;
 
 /// Why a run's proposals cannot be emulated; empty if they may be.
 std::string hindrance(const RunSettings& settings, const Posterior& posterior) {
@@ -117,30 +118,40 @@ MetricKind metric_in_use(MetricKind asked, bool emulated) {
   return emulated && asked == MetricKind::curved ? MetricKind::dense : asked;
 }
 
-std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
-                                        const std::vector<ChainState>& basins, const Metric& laplace,
-                                        std::uint64_t seed, int threads,
+std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensity& target,
+                                        const ChainState& mode, const std::vector<ChainState>& basins,
+                                        const Metric& laplace, std::uint64_t seed, int threads,
                                         const std::function<void()>& enter_thread) {
   std::vector<ChainState> starts = basins.empty() ? std::vector<ChainState>{mode} : basins;
   const std::size_t found = starts.size(), count = std::max<std::size_t>(found, kEmulatorWalkers);
   starts.resize(found + kStartsAWalker * (count - found));
+  const ChainState roughly{mode.position, rough.value(mode.position)};
   const auto spread = [&](std::size_t i) {
     Rng rng(seed, kSpreadStream + i);
-    starts[found + i] = overdispersed_start(target, mode, laplace, rng);
+    starts[found + i] = overdispersed_start(rough, roughly, laplace, rng);
   };
   parallel_for(starts.size() - found, threads, spread, enter_thread);
-  return furthest_apart(starts, found, count, laplace.covariance().diagonal().cwiseSqrt());
+  starts = furthest_apart(starts, found, count, laplace.covariance().diagonal().cwiseSqrt());
+  const auto climb = [&](std::size_t i) {
+    Rng rng(seed, kNearerStream + i);
+    ChainState& start = starts[found + i];
+    std::optional<ChainState> climbed = climbed_start(target, mode, start.position);
+    start = climbed ? std::move(*climbed) : overdispersed_start(target, mode, laplace, rng);
+  };
+  parallel_for(count - found, threads, climb, enter_thread);
+  return starts;
 }
 
-Emulation learn_emulator(const Posterior& posterior, const ChainState& mode, const Metric& laplace,
-                         const std::vector<MapPoint>& basins, const RunSettings& run, RunShared& shared) {
+Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, const ChainState& mode,
+                         const Metric& laplace, const std::vector<MapPoint>& basins, const RunSettings& run,
+                         RunShared& shared) {
   std::atomic<int> evaluated{0};
   const EmulateSettings settings = learning(run, shared, evaluated);
   std::vector<ChainState> ends;
   for (const MapPoint& basin : basins) ends.push_back({posterior.position(basin.values), {basin.lp, {}}});
-  const ControlledDensity target(posterior, shared.control);
-  const std::vector<ChainState> starts =
-      emulator_starts(target, mode, ends, laplace, run.seed, settings.threads, settings.enter_thread);
+  const ControlledDensity roughly(rough, shared.control), target(posterior, shared.control);
+  const std::vector<ChainState> starts = emulator_starts(roughly, target, mode, ends, laplace, run.seed,
+                                                         settings.threads, settings.enter_thread);
   Emulation made = emulate(posterior, starts, laplace, settings);
   std::string why_not;
   if (!made.emulator)

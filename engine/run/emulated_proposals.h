@@ -23,21 +23,25 @@ std::vector<std::string> run_kernel_names();
 bool emulates(const RunSettings& settings, const Posterior& posterior);
 
 /// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
-/// of three times as many starts as chains have them those that lie furthest apart, in Laplace's sds. What
+/// of three times as many starts as chains have them (on a rough likeness of the target, which costs less,
+/// and then climbed on the target) those that lie furthest apart, in Laplace's sds. What
 /// none begins in, polynomials may never learn of: an end of leather_6's posterior, power above .4, they
 /// thought 7 to 43 nats too little of where no start lay there, by three of four seeds, and half a nat where
 /// one did.
-std::vector<ChainState> emulator_starts(const LogDensity& target, const ChainState& mode,
-                                        const std::vector<ChainState>& basins, const Metric& laplace,
-                                        std::uint64_t seed, int threads,
+/// @param rough  of fewer pixels, say, or the target itself
+std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensity& target,
+                                        const ChainState& mode, const std::vector<ChainState>& basins,
+                                        const Metric& laplace, std::uint64_t seed, int threads,
                                         const std::function<void()>& enter_thread);
 
 /// emulate() of a run, on all processors; keeps its status up to date. No emulator where polynomials do not
 /// follow the renders, or miss a basin, and the kernel is "auto".
+/// @param rough   the posterior of fewer pixels, or itself
 /// @param basins  that the search ended in
 /// @throws RunStopped   @throws UserError where they do so and the kernel is "emulated"
-Emulation learn_emulator(const Posterior& posterior, const ChainState& mode, const Metric& laplace,
-                         const std::vector<MapPoint>& basins, const RunSettings& settings, RunShared& shared);
+Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, const ChainState& mode,
+                         const Metric& laplace, const std::vector<MapPoint>& basins,
+                         const RunSettings& settings, RunShared& shared);
 
 /// An iteration of a chain.
 struct ChainIteration {

@@ -216,7 +216,8 @@ ModeFound SamplerRun::with_proposals(ModeFound found) {
 }
 
 Emulation SamplerRun::learnt_about(const ModeFound& found) {
-  return learn_emulator(*posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_,
+  const Posterior rough(search_settings(settings_, pyramid(settings_.resolution).front()), photo_);
+  return learn_emulator(rough, *posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_,
                         shared_);
 }
 

@@ -55,7 +55,7 @@ TEST(EmulatorStarts, AreTheBasinsAndThenThoseThatLieFurthestApart) {
   const Metric laplace = Metric::identity(3);
   const Position aside{Eigen::Vector3d(1, 1, 1), {}};
   const std::vector<ChainState> basins{mode, {aside, target.evaluate(aside)}};
-  const std::vector<ChainState> starts = emulator_starts(target, mode, basins, laplace, 5, 2, {});
+  const std::vector<ChainState> starts = emulator_starts(target, target, mode, basins, laplace, 5, 2, {});
   ASSERT_EQ(starts.size(), static_cast<std::size_t>(kEmulatorWalkers));
   EXPECT_EQ(distance(starts[0], basins[0]), 0);
   EXPECT_EQ(distance(starts[1], basins[1]), 0);
