@@ -68,14 +68,16 @@ struct VolumeLine {
       line->resize(static_cast<std::size_t>(side + simd::kWindow));
     const float* near = volume.values + ((channel * side + z.first[0]) * side + y.first[0]) * side;
     const float* far = near + side * side;
-    for (int x = 0; x < side; ++x) {
-      const float near_slope = near[side + x] - near[x], far_slope = far[side + x] - far[x];
-      const float here = near[x] + near_slope * y.fraction[0], there = far[x] + far_slope * y.fraction[0];
-      const auto at = static_cast<std::size_t>(x);
-      values[at] = here + (there - here) * z.fraction[0];
-      by_y[at] = near_slope + (far_slope - near_slope) * z.fraction[0];
-      by_z[at] = there - here;
-    }
+    simd::over(
+        0, side, [&](std::ptrdiff_t x, int count) __attribute__((always_inline)) {
+          const auto along_y = [&](const float* row) __attribute__((always_inline)) {
+            return line({simd::load(row + x, count), simd::load(row + side + x, count)}, y.fraction);
+          };
+          const Line here = along_y(near), there = along_y(far);
+          simd::store(here.value + (there.value - here.value) * z.fraction, values.data() + x, count);
+          simd::store(here.slope + (there.slope - here.slope) * z.fraction, by_y.data() + x, count);
+          simd::store(there.value - here.value, by_z.data() + x, count);
+        });
   }
 };
 

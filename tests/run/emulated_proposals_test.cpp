@@ -11,6 +11,7 @@
 
 #include "engine/run/chain_start.h"
 #include "engine/sampling/function_density.h"
+#include "engine/sampling/sample.h"
 
 namespace patina {
 namespace {
@@ -48,10 +49,10 @@ std::vector<double> distances_to_those_before(const std::vector<ChainState>& sta
 }
 
 TEST(EmulatorStarts, AreTheBasinsAndThenThoseThatLieFurthestApart) {
-  const FunctionDensity target(3, [](const Position& position) {
-    return Evaluation{-position.continuous.squaredNorm() / 2, -position.continuous};
+  const FunctionDensity target(3, [](const Position&) {  // flat: no start is climbed from
+    return Evaluation{0, Eigen::VectorXd::Zero(3)};
   });
-  const ChainState mode{{Eigen::VectorXd::Zero(3), {}}, target.evaluate({Eigen::VectorXd::Zero(3), {}})};
+  const ChainState mode{{Eigen::VectorXd::Zero(3), {}}, {0, {}}};
   const Metric laplace = Metric::identity(3);
   const Position aside{Eigen::Vector3d(1, 1, 1), {}};
   const std::vector<ChainState> basins{mode, {aside, target.evaluate(aside)}};
@@ -69,6 +70,54 @@ TEST(EmulatorStarts, AreTheBasinsAndThenThoseThatLieFurthestApart) {
   EXPECT_FALSE(std::ranges::is_sorted(distances_to_those_before(as_they_come, 2), std::greater<>()));
   const double apart = distances_to_those_before(starts, 2).back();
   EXPECT_GT(apart, std::ranges::min(distances_to_those_before(as_they_come, 2)));
+}
+
+TEST(EmulatorStarts, FoundOnARoughLikenessLieHighEnoughOnTheTarget) {
+  constexpr double kSd = 0.1;
+  const FunctionDensity target(3, [&](const Position& position) {
+    const Eigen::VectorXd scaled = position.continuous / kSd;
+    return Evaluation{-scaled.squaredNorm() / 2, -scaled / kSd};
+  });
+  const FunctionDensity rough(3, [](const Position& position) {  // beside it, and wider
+    const Eigen::VectorXd off = position.continuous - Eigen::Vector3d(0.5, 0, 0);
+    return Evaluation{-off.squaredNorm(), -2 * off};
+  });
+  const ChainState mode{{Eigen::VectorXd::Zero(3), {}}, {0, {}}};
+  const Metric laplace(kSd * kSd * Eigen::Matrix3d::Identity());
+  constexpr double kThreeSdsOfChiSquare = 3 + 3 * 2.45;
+  for (const ChainState& start : emulator_starts(rough, target, mode, {mode}, laplace, 5, 2, {})) {
+    EXPECT_EQ(start.evaluation.log_density, target.evaluate(start.position).log_density);
+    EXPECT_GT(start.evaluation.log_density, -kThreeSdsOfChiSquare);
+  }
+  const Evaluation of_the_likeness = target.evaluate({Eigen::Vector3d(0.5, 0.5, 0), {}});
+  EXPECT_LT(of_the_likeness.log_density, -kThreeSdsOfChiSquare) << "the likeness alone would do";
+}
+
+TEST(MetricInUse, OfEmulatedProposalsIsOneOfTheirOwnCoordinatesByWhichTheyTakeFewerSteps) {
+  // A ridge, narrow and a little bent: x_1 is x_0^2 / 5, give or take 0.15.
+  const auto off_the_ridge = [](const Eigen::Vector2d& x) { return (x[1] - 0.2 * x[0] * x[0]) / 0.15; };
+  Rng rng(2);
+  Eigen::MatrixXd places(2, 60), residuals(1, 60);
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    places.col(i) = rng.normals(2);
+    residuals(0, i) = off_the_ridge(places.col(i));
+  }
+  const Emulator emulator({places, residuals.transpose() * residuals});
+  const FunctionDensity target(2, [&](const Position& at) { return emulator.evaluate(at); });
+  const auto kernel = make_emulated_kernel(emulator, {0, 1}, target, 1.5);
+  const auto drawn_by = [&](MetricKind metric) {
+    return sample(target, *kernel, {.warmup = 500, .draws = 200, .seed = 3, .metric = metric});
+  };
+  const Sample straightened = drawn_by(MetricKind::curved),
+               own = drawn_by(metric_in_use(MetricKind::curved, /*emulated=*/true));
+  ASSERT_TRUE(straightened.frozen.straightening) << "the ridge is not bent enough for this test to tell";
+  EXPECT_FALSE(own.frozen.straightening);
+  EXPECT_LT(1.5 * static_cast<double>(own.evaluations), static_cast<double>(straightened.evaluations));
+}
+
+TEST(MetricInUse, IsWhatWasAskedForWhereNothingIsEmulatedOrNothingStraightened) {
+  EXPECT_EQ(metric_in_use(MetricKind::curved, false), MetricKind::curved);
+  EXPECT_EQ(metric_in_use(MetricKind::diagonal, true), MetricKind::diagonal);
 }
 
 }  // namespace
