@@ -44,7 +44,7 @@ struct RunSettings {
   /// photos (posterior/calibrate.h).
   std::string errors = "paper";
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
-  std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_names()
+  std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
   /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number in use.
