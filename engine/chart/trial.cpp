@@ -105,7 +105,6 @@ class Running {
     settings.warmup = setting_.warmup;
     settings.draws = plan_.draws;
     settings.seed = plan_.seed;
-
     settings.metric_worth = 10.0 * static_cast<double>(target.dimension());  // as a run has it
     settings.threads = setting_.chains;
     settings.noise_repeats = 0;  // they are no part of what a setting costs

@@ -102,8 +102,7 @@ void FitOptions::add_sampler(CLI::App& command) {
       "emulated where renders follow polynomials about the match, else hmc");
   add(command, "--metric", &RunSettings::metric,
       "Covariance that warm-up learns: identity, diagonal, dense, or curved, which is dense where proposals "
-      "are "
-      "emulated");
+      "are emulated");
   add(command, "--alpha", &RunSettings::alpha,
       "Share of continuous moves, where there are discrete parameters");
   add(command, "--refresh", &RunSettings::refresh,

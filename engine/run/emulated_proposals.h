@@ -24,10 +24,9 @@ bool emulates(const RunSettings& settings, const Posterior& posterior);
 
 /// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
 /// of three times as many starts as chains have them (on a rough likeness of the target, which costs less,
-/// and then climbed on the target) those that lie furthest apart, in Laplace's sds. What
-/// none begins in, polynomials may never learn of: an end of leather_6's posterior, power above .4, they
-/// thought 7 to 43 nats too little of where no start lay there, by three of four seeds, and half a nat where
-/// one did.
+/// and then climbed on the target) those that lie furthest apart, in Laplace's sds. What none begins in,
+/// polynomials may never learn of: an end of leather_6's posterior, power above .4, they thought 7 to 43 nats
+/// too little of where no start lay there, by three of four seeds, and half a nat where one did.
 /// @param rough  of fewer pixels, say, or the target itself
 std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensity& target,
                                         const ChainState& mode, const std::vector<ChainState>& basins,
