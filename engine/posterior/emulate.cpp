@@ -68,8 +68,7 @@ std::unique_ptr<Kernel> proposing(const Proposals& proposals, const LogDensity& 
 
 /// Moves of the target that need no gradient, along jagged coordinates as well.
 std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
-  auto walk = make_straightened(
-      make_mixture(make_random_walk(), make_refresh_move(), 1 - usual_refresh(has_jagged(target))));
+  auto walk = make_mixture(make_random_walk(), make_refresh_move(), 1 - usual_refresh(has_jagged(target)));
   if (target.discrete_levels().empty()) return walk;
   return make_mixture(std::move(walk), make_discrete_move(), kAlpha);
 }

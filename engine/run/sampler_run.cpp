@@ -51,8 +51,7 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   if (opening == Opening::fresh) check_holds_no_run(directory_);
   // The coarsest posterior costs little and refuses every unknown name, prior and network.
-  posteriors_.push_back(
-      std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
+  posteriors_.push_back(coarsest());
   check_free_parameters(*posteriors_.front());
   emulates_ = emulates(settings_, *posteriors_.front());
   const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
@@ -216,9 +215,8 @@ ModeFound SamplerRun::with_proposals(ModeFound found) {
 }
 
 Emulation SamplerRun::learnt_about(const ModeFound& found) {
-  const Posterior rough(search_settings(settings_, pyramid(settings_.resolution).front()), photo_);
-  return learn_emulator(rough, *posteriors_.back(), found.mode, *found.laplace, manifest_.basins, settings_,
-                        shared_);
+  return learn_emulator(*coarsest(), *posteriors_.back(), found.mode, *found.laplace, manifest_.basins,
+                        settings_, shared_);
 }
 
 /// The draws that there are would be of one posterior, those to come of another.
@@ -228,6 +226,11 @@ void SamplerRun::check_is_where_it_was() const {
   const double is = posteriors_.back()->value(found_->mode.position).log_density;
   if (!(std::abs(is - was) <= kRounding * (1 + std::abs(was))))
     refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
+}
+
+std::unique_ptr<Posterior> SamplerRun::coarsest() const {
+  return std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()),
+                                     photo_);
 }
 
 void SamplerRun::keep_the_finest() {
@@ -287,8 +290,7 @@ ModeFound SamplerRun::calibrate() {
 
 Position SamplerRun::coarse_match() {
   std::vector<std::unique_ptr<Posterior>> coarse;
-  coarse.push_back(
-      std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()), photo_));
+  coarse.push_back(coarsest());
   const auto keep_best = [this](const MapPoint& best) { keep(best); };
   Position match = find_mode(coarse, settings_, guesses(), shared_, keep_best).mode.position;
   shared_.edit_status([](RunStatus& status) { status.search_fraction = 0; });  // photos are simulated again

@@ -57,6 +57,8 @@ class SamplerRun final : public DrawSource {
   void keep(const ModeFound& found);
   ModeFound with_proposals(ModeFound found);  ///< learns what its chains are proposed by, if they are
   void check_is_where_it_was() const;         ///< @throws UserError
+  /// The first level of the search's pyramid.
+  std::unique_ptr<Posterior> coarsest() const;
   void keep_the_finest();
   ModeFound calibrate();    ///< in place of a search: the photos of the prior that it begins with are one
   Position coarse_match();  ///< the best match by hand-set errors, at the fewest pixels that show it
