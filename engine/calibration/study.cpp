@@ -10,6 +10,7 @@
 #include "engine/diagnostics/convergence.h"
 #include "engine/material/irregularities.h"
 #include "engine/posterior/regressed_likelihood.h"
+#include "engine/posterior/wider_errors.h"
 #include "engine/run/predicted_start.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/kernels.h"
@@ -78,6 +79,17 @@ Target hand_set(Posterior posterior, Rng& rng) {
   return {std::move(posterior), best.position, std::move(laplace)};
 }
 
+/// By what other irregularities do at the best match, which is climbed to anew (run/widened_errors.h).
+Target widened(const Target& by_hand, IrregularityPool& pool, const StudySettings& study,
+               std::uint64_t seed) {
+  const Simulator simulator{
+      .posterior = by_hand.posterior, .pool = pool, .camera = study.camera, .seed = seed};
+  Posterior posterior = by_hand.posterior.with(errors_of_irregularities(simulator, by_hand.mode));
+  const OptimizerResult best = maximize(posterior, by_hand.mode);
+  Eigen::MatrixXd laplace = laplace_covariance(posterior, best.position);
+  return {std::move(posterior), best.position, std::move(laplace)};
+}
+
 Target calibrated(const Calibration& found, const Posterior& posterior, const StudySettings& study,
                   PhotoOutcome& outcome) {
   outcome.distance = found.fit.distance;
@@ -108,8 +120,8 @@ Sample draw(const Target& target, const StudySettings& study, std::uint64_t seed
   };
   // A likelihood that takes microseconds can afford the kernel that needs no tuning.
   constexpr double kContinuous = 0.8;
-  const double refresh = study.calibrated ? 0.5 : 0.3;
-  const auto kernel = make_kernel(study.calibrated ? "nuts" : "mala", target.posterior, kContinuous, refresh);
+  const bool cheap = study.errors == "calibrated";
+  const auto kernel = make_kernel(cheap ? "nuts" : "mala", target.posterior, kContinuous, cheap ? 0.5 : 0.3);
   return sample(target.posterior, *kernel, settings, start, metric);
 }
 
@@ -142,9 +154,9 @@ CalibrationStudy::CalibrationStudy(const StudySettings& settings, int threads,
   quantities_.emplace_back("lp");
   for (const Parameter& parameter : blank_.table().continuous)
     if (!settings.posterior.fixed.contains(parameter.name)) quantities_.push_back(parameter.name);
-  if (!settings.calibrated) return;
-  guess_ = region_guess(blank_, settings.posterior.capture);
+  if (settings.errors == "paper") return;
   pool_ = make_pool(blank_.table(), kSimulatedSeeds);
+  if (settings.errors == "calibrated") guess_ = region_guess(blank_, settings.posterior.capture);
 }
 
 const Pilot& CalibrationStudy::pilot() const {
@@ -169,7 +181,11 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
   outcome.distance = kNaN;
   Case example = make_case(settings_, blank_, photo, rng);
   const auto target_of = [&] {
-    if (!settings_.calibrated) return hand_set(std::move(example.posterior), rng);
+    if (settings_.errors != "calibrated") {
+      Target by_hand = hand_set(std::move(example.posterior), rng);
+      if (settings_.errors == "paper") return by_hand;
+      return widened(by_hand, *pool_, settings_, seed);
+    }
     const Simulator simulator{.posterior = example.posterior,
                               .pool = *pool_,
                               .camera = settings_.camera,

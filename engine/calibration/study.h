@@ -17,8 +17,8 @@ namespace patina {
 
 /// What a calibration study asks.
 struct StudySettings {
-  PosteriorSettings posterior;  ///< its z_seed is not used: every photo has a run of its own
-  bool calibrated = false;      ///< errors: calibrated or, as in the paper, set by hand
+  PosteriorSettings posterior;   ///< its z_seed is not used: every photo has a run of its own
+  std::string errors = "paper";  ///< of error_names()
   CalibrationSettings simulations;
   double error_scale = 1;  ///< times the sd of calibrated errors: others than 1 must be found out
   Camera camera;           ///< that takes the photos, and is thought to
@@ -39,7 +39,7 @@ struct PhotoOutcome {
   double seconds = 0;                         ///< of one core
   double worst_rhat = 0;                      ///< of lp and all continuous parameters
   double least_ess = 0;                       ///< bulk, likewise
-  double distance = 0;                        ///< PhotoFit; NaN for hand-set errors
+  double distance = 0;                        ///< PhotoFit; NaN for errors that are not calibrated
   double widening = 1;                        ///< likewise
   double simulated = 0;                       ///< photos, the pilot's left out
   std::vector<TruthAndPosterior> quantities;  ///< lp, then the free continuous parameters
@@ -66,7 +66,7 @@ class CalibrationStudy {
   Guess guess_;      ///< of calibrated errors
   int threads_;
   std::function<void()> enter_thread_;
-  std::shared_ptr<IrregularityPool> pool_;  ///< of calibrated errors
+  std::shared_ptr<IrregularityPool> pool_;  ///< of all but hand-set errors
   mutable std::once_flag pilot_made_;
   mutable std::optional<Pilot> pilot_;  ///< made for the first photo that needs it
   std::vector<std::string> quantities_;

@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 struct CalibrateOptions {
   StudySettings study;  ///< its material is the one that is next
   std::vector<std::string> materials;
-  std::string errors = "calibrated", summary;
+  std::string summary;
   int photos = 100, threads = 1;
   std::filesystem::path out;
   bool json = false, quiet = false;
@@ -54,14 +54,13 @@ void check(const CalibrateOptions& options) {
 
 StudySettings study_of(const CalibrateOptions& options, const std::string& material) {
   StudySettings study = options.study;
-  study.calibrated = options.errors == "calibrated";
   study.posterior.material = material;
   study.posterior.summary = options.summary.empty() ? material_table(material).summary : options.summary;
   return study;
 }
 
 std::string title_of(const StudySettings& study) {
-  return study.posterior.material + ", errors " + (study.calibrated ? "calibrated" : "paper");
+  return study.posterior.material + ", errors " + study.errors;
 }
 
 /// All that decides an outcome, in a title and as the command has it.
@@ -71,13 +70,13 @@ std::string study_text(const StudySettings& study) {
                      " --chains " + std::to_string(study.chains) + " --warmup " +
                      std::to_string(study.warmup) + " --draws " + std::to_string(study.draws);
   text += " --photo-pixels " + std::to_string(study.camera.least_side);
-  if (study.calibrated) text += " --pilot " + std::to_string(study.simulations.pilot);
+  if (study.errors == "calibrated") text += " --pilot " + std::to_string(study.simulations.pilot);
   if (study.error_scale != 1) text += " --error-scale " + std::to_string(study.error_scale);
   return text;
 }
 
 std::filesystem::path file_of(const CalibrateOptions& options, const StudySettings& study) {
-  return options.out / (study.posterior.material + "-" + options.errors + ".csv");
+  return options.out / (study.posterior.material + "-" + study.errors + ".csv");
 }
 
 void make_missing(const CalibrationStudy& study, const CalibrateOptions& options, OutcomeFile& file) {
@@ -144,7 +143,7 @@ photos' own.
 
 This page is written by
 
-    patina-cli calibrate --out DIR --photos N [--errors calibrated|paper] [--material NAME]...
+    patina-cli calibrate --out DIR --photos N [--errors calibrated|widened|paper] [--material NAME]...
 
 of all the tables in DIR, to which a photo is added as it is done; the options of each are in its title.
 
@@ -211,6 +210,7 @@ void add_calibrate(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CalibrateOptions>();
   options->materials = material_names();
   options->study.posterior.resolution = 64;
+  options->study.errors = "calibrated";
   CLI::App& command = *app.add_subcommand(
       "calibrate", "How often intervals hold the truth, over synthetic photos of draws from the prior");
   command.add_option("--material", options->materials, "The material's name (repeatable; default: all)")
@@ -221,8 +221,10 @@ void add_calibrate(CLI::App& app, Command& chosen) {
                   "Folder for a table a material and README.md; photos that it has are not made again")
       ->type_name("DIR")
       ->required();
-  command.add_option("--errors", options->errors, "Error model: paper (set by hand) or calibrated")
-      ->check(CLI::IsMember({"paper", "calibrated"}))
+  command
+      .add_option("--errors", options->study.errors,
+                  "Error model: paper (set by hand), widened (by what other irregularities do) or calibrated")
+      ->check(CLI::IsMember(error_names()))
       ->capture_default_str();
   command.add_option("--photos", options->photos, "Number of synthetic photos")->capture_default_str();
   add_study(command, *options);

@@ -18,12 +18,15 @@ struct WiderErrors {
   void serialise(Archive& archive);
 };
 
+constexpr int kIrregularityPhotos = 48;  ///< of a dozen directions that matter
+
 /// What irregularities do to the summaries of a material at one place: of the photo, whose own nobody knows,
 /// and of renders, which have those of the run's one z. So their covariance counts twice (Wood 2010,
 /// "Statistical inference for noisy nonlinear ecological dynamic systems", where simulations are many and it
 /// counts once). Along its principal axes, as far as they matter.
 /// @param at      its informed coordinates; places and levels are drawn from their prior
 /// @param photos  that are simulated
-WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at, int photos);
+WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at,
+                                     int photos = kIrregularityPhotos);
 
 }  // namespace patina

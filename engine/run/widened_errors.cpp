@@ -17,7 +17,6 @@ namespace patina {
 namespace {
 
 WiderErrors measure(const Posterior& by_hand, const Position& match, std::uint64_t seed, RunShared& shared) {
-  constexpr int kPhotos = 48;            // of a dozen directions that matter
   const Camera camera{.least_side = 0};  // no predictor looks at these photos
   const auto pool = make_pool(by_hand.table(), kSimulatedSeeds);
   shared.edit_status([](RunStatus& status) { status.message = "measuring what irregularities do"; });
@@ -28,7 +27,7 @@ WiderErrors measure(const Posterior& by_hand, const Position& match, std::uint64
                             .threads = hardware_threads(),
                             .enter_thread = [] { use_tensor_threads(1); },
                             .simulated = [&] { shared.control.checkpoint(); }};
-  return errors_of_irregularities(simulator, match, kPhotos);
+  return errors_of_irregularities(simulator, match);
 }
 
 /// @return best first

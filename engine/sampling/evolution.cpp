@@ -17,16 +17,16 @@ namespace {
 /// The normal distribution that generations are drawn from. Names are the tutorial's.
 class Strategy {
  public:
-  Strategy(const Eigen::VectorXd& mean, double spread, int population)
+  Strategy(const Eigen::VectorXd& mean, const EvolutionSettings& settings)
       : n_(static_cast<double>(mean.size())),
         mean_(mean),
-        sigma_(spread),
-        weights_(population / 2),
+        sigma_(settings.spread),
+        weights_(settings.population / 2),
         path_c_(Eigen::VectorXd::Zero(mean.size())),
-        path_sigma_(path_c_),
-        covariance_(Eigen::MatrixXd::Identity(mean.size(), mean.size())),
-        axes_(covariance_),
-        lengths_(Eigen::VectorXd::Ones(mean.size())) {
+        path_sigma_(path_c_) {
+    const int population = settings.population;
+    shape_by(settings.shape.size() > 0 ? settings.shape
+                                       : Eigen::MatrixXd::Identity(mean.size(), mean.size()));
     for (Eigen::Index i = 0; i < weights_.size(); ++i)
       weights_[i] = std::log(0.5 * (population + 1)) - std::log(static_cast<double>(i + 1));
     weights_ /= weights_.sum();
@@ -58,15 +58,19 @@ class Strategy {
     const bool steady = path_sigma_.norm() < (1.4 + 2 / (n_ + 1)) * usual;
     path_c_ = (1 - c_c_) * path_c_ + (steady ? std::sqrt(c_c_ * (2 - c_c_) * effective_) : 0) * step;
     const double lost = steady ? 0 : c_1_ * c_c_ * (2 - c_c_);
-    covariance_ = (1 - c_1_ - c_mu_ + lost) * covariance_ + c_1_ * path_c_ * path_c_.transpose() +
-                  c_mu_ * best * weights_.asDiagonal() * best.transpose();
     sigma_ *= std::exp(c_sigma_ / damping_ * (path_sigma_.norm() / usual_norm_ - 1));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((covariance_ + covariance_.transpose()) / 2);
+    shape_by((1 - c_1_ - c_mu_ + lost) * covariance_ + c_1_ * path_c_ * path_c_.transpose() +
+             c_mu_ * best * weights_.asDiagonal() * best.transpose());
+  }
+
+ private:
+  void shape_by(const Eigen::MatrixXd& covariance) {
+    covariance_ = (covariance + covariance.transpose()) / 2;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_);
     axes_ = solver.eigenvectors();
     lengths_ = solver.eigenvalues().cwiseMax(1e-20).cwiseSqrt();
   }
 
- private:
   double n_;
   Eigen::VectorXd mean_;
   double sigma_;
@@ -92,7 +96,7 @@ std::vector<Eigen::Index> better_half(const std::vector<double>& values) {
 OptimizerResult evolve(const LogDensity& target, const Position& start, Rng& rng,
                        const EvolutionSettings& settings) {
   OptimizerResult best{start, value_finite(target, start), 1, {}};
-  Strategy strategy(start.continuous, settings.spread, settings.population);
+  Strategy strategy(start.continuous, settings);
   const auto count = static_cast<std::size_t>(settings.population);
   for (int generation = 0; generation < settings.generations && strategy.width() > settings.narrow;
        ++generation) {

@@ -8,11 +8,12 @@
 namespace patina {
 
 struct EvolutionSettings {
-  double spread = 0.8;                      ///< sd of the first generation, in every continuous coordinate
-  int population = 24;                      ///< evaluations, of the value alone, a generation
-  int generations = 100;                    ///< at most
-  double narrow = 0.01;                     ///< ends early when a generation is narrower in every direction
-  int threads = 1;                          ///< at a time; the result is the same
+  double spread = 0.8;         ///< sd of the first generation, in every continuous coordinate
+  Eigen::MatrixXd shape = {};  ///< covariance of its steps, in units of spread^2; empty: identity
+  int population = 24;         ///< evaluations, of the value alone, a generation
+  int generations = 100;       ///< at most
+  double narrow = 0.01;        ///< ends early when a generation is narrower in every direction
+  int threads = 1;             ///< at a time; the result is the same
   std::function<void()> enter_thread = {};  ///< called first on each of those threads; may be empty
   std::function<bool()> stop_requested = {};
   std::function<void(const OptimizerResult& best)> evolved = {};  ///< called after each generation

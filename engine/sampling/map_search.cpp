@@ -19,9 +19,11 @@ namespace {
 
 constexpr double kSameBasin = 0.3;  // prior standard deviations
 
-// Evolution of targets with jagged coordinates: about the prior, about a guess, and about a finalist.
-constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.3;
+// Evolution of targets with jagged coordinates: about the prior, about a guess, and about a finalist, in sds
+// of Laplace's approximation.
+constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.5;
 constexpr int kLeastGenerations = 80;
+constexpr int kFinalistShare = 2;  // so many times fewer generations: their shape is known
 // What climbs of gradients do better: a finalist gains less than half a nat from there on.
 constexpr double kFinalistNarrow = 0.05;
 // Behind the best evolved before, after half of the generations, in nats: who is further behind stays so.
@@ -67,7 +69,7 @@ class Search {
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
       total_ += kValueCost * EvolutionSettings{}.population * generations() *
-                (settings.evolutions + finalist_count() * cost(grain_target()));
+                (settings.evolutions + finalist_count() * cost(grain_target()) / kFinalistShare);
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
@@ -214,9 +216,8 @@ class Search {
   OptimizerResult evolve(std::size_t target, const Position& start, EvolutionSettings evolution,
                          double least = -std::numeric_limits<double>::infinity()) {
     const double work = kValueCost * evolution.population * cost(target);
-    int to_come = generations();
+    int to_come = evolution.generations;
     bool hopeless = false;
-    evolution.generations = to_come;
     evolution.threads = settings_.threads;
     evolution.enter_thread = settings_.enter_thread;
     evolution.stop_requested = [&] { return hopeless || stopped(); };
@@ -232,7 +233,9 @@ class Search {
   /// Evolves the best guess, and from the whole prior at random levels; what comes of it takes the place of
   /// what would have been climbed.
   void evolve_all(std::vector<OptimizerResult>& guesses, std::vector<OptimizerResult>& candidates) {
-    if (!guesses.empty()) guesses.assign(1, evolve(0, guesses.front().position, {.spread = kGuessSpread}));
+    if (!guesses.empty())
+      guesses.assign(
+          1, evolve(0, guesses.front().position, {.spread = kGuessSpread, .generations = generations()}));
     const int count = std::max(settings_.evolutions - static_cast<int>(guesses.size()), 1);
     const Eigen::VectorXd middle = Eigen::VectorXd::Zero(targets_.front()->dimension());
     std::vector<OptimizerResult> evolved;
@@ -240,20 +243,27 @@ class Search {
         guesses.empty() ? -std::numeric_limits<double>::infinity() : guesses.front().evaluation.log_density;
     for (int i = 0; i < count && !stopped(); ++i) {
       const Position start{middle, draw_levels(levels_, rng_)};
-      evolved.push_back(evolve(0, start, {.spread = kPriorSpread}, top - kHopeless));
+      evolved.push_back(
+          evolve(0, start, {.spread = kPriorSpread, .generations = generations()}, top - kHopeless));
       top = std::max(top, evolved.back().evaluation.log_density);
     }
     if (!stopped()) candidates = std::move(evolved);
   }
 
-  /// Evolves each once more where the grain tells; coarser targets cannot.
+  /// Evolves each once more where the grain tells; coarser targets cannot, but know how far to look.
   void refine_all(std::vector<OptimizerResult>& results) {
+    std::vector<Eigen::MatrixXd> shapes(results.size());
+    for_all(results.size(), [&](std::size_t i) {
+      if (!stopped() && std::isfinite(results[i].evaluation.log_density))
+        shapes[i] = laplace_covariance(*targets_.front(), results[i].position);
+    });
     begin_on(grain_target());
-    for (OptimizerResult& result : results) {
-      if (stopped()) return;
-      result =
-          evolve(grain_target(), result.position, {.spread = kFinalistSpread, .narrow = kFinalistNarrow});
-    }
+    for (std::size_t i = 0; i < results.size() && !stopped(); ++i)
+      results[i] = evolve(grain_target(), results[i].position,
+                          {.spread = kFinalistSpread,
+                           .shape = shapes[i],
+                           .generations = generations() / kFinalistShare,
+                           .narrow = kFinalistNarrow});
     sort_best_first(results);
     if (targets_.size() == 1) climb_all(results, 0, settings_.fine_iterations);
   }

@@ -17,7 +17,7 @@ StudySettings small_study() {
   study.posterior.material = "bump";
   study.posterior.summary = "rings";
   study.posterior.resolution = 32;
-  study.calibrated = true;
+  study.errors = "calibrated";
   study.simulations = {.pilot = 300, .round = 120, .most_rounds = 3};
   study.camera.least_side = 0;  // cheap photos
   study.warmup = 150;

@@ -18,7 +18,7 @@ constexpr Eigen::Index kDimension = 8;
 Position origin() { return {Eigen::VectorXd::Zero(kDimension), {}}; }
 
 /// Sds from 0.02 to 2 along axes that are turned against the coordinates'.
-GaussianTarget thin_gaussian() {
+Eigen::MatrixXd thin_covariance() {
   Eigen::VectorXd variances(kDimension);
   for (Eigen::Index i = 0; i < kDimension; ++i)
     variances[i] = 4 * std::pow(1e-4, static_cast<double>(i) / (kDimension - 1));
@@ -26,8 +26,10 @@ GaussianTarget thin_gaussian() {
   Eigen::MatrixXd any(kDimension, kDimension);
   for (auto column : any.colwise()) column = rng.normals(kDimension);
   const Eigen::MatrixXd axes = Eigen::HouseholderQR<Eigen::MatrixXd>(any).householderQ();
-  return {Eigen::VectorXd::Constant(kDimension, 1), axes * variances.asDiagonal() * axes.transpose()};
+  return axes * variances.asDiagonal() * axes.transpose();
 }
+
+GaussianTarget thin_gaussian() { return {Eigen::VectorXd::Constant(kDimension, 1), thin_covariance()}; }
 
 TEST(Evolution, climbs_a_ridge_a_hundred_times_as_long_as_wide_without_a_gradient) {
   const GaussianTarget target = thin_gaussian();
@@ -36,6 +38,20 @@ TEST(Evolution, climbs_a_ridge_a_hundred_times_as_long_as_wide_without_a_gradien
     const OptimizerResult best = evolve(target, origin(), rng, {.generations = 300});
     EXPECT_GT(best.evaluation.log_density, -0.5) << "seed " << seed;
     EXPECT_EQ(best.evaluation.log_density, target.evaluate(best.position).log_density);
+  }
+}
+
+TEST(Evolution, that_is_told_of_the_ridge_it_begins_on_need_not_learn_it) {
+  const GaussianTarget target = thin_gaussian();
+  const Eigen::MatrixXd root = thin_covariance().llt().matrixL();
+  const auto found = [&](int seed, const Eigen::MatrixXd& shape) {
+    Rng rng(seed);
+    const Position start{Eigen::VectorXd::Ones(kDimension) + 2 * root * rng.normals(kDimension), {}};
+    return evolve(target, start, rng, {.shape = shape, .generations = 20}).evaluation.log_density;
+  };
+  for (const int seed : {1, 2, 3, 4, 5}) {
+    EXPECT_GT(found(seed, thin_covariance()), -0.5) << "seed " << seed;
+    EXPECT_LT(found(seed, {}), -1) << "seed " << seed;
   }
 }
 
