@@ -23,9 +23,9 @@ namespace {
 // Apart from the search's and the chains'; what is learnt again sees other places of textures and levels.
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c, kAgainStream = kEmulatorStream + 1;
 
-constexpr int kMovesFar = 50, kMovesNear = 1;  // of a proposal
-constexpr double kProposing = 0.9;             // share of the proposals
-constexpr double kNear = 0.25;                 // of these, where the target is jagged
+constexpr int kMovesFar = 50, kMovesNear = 1;                  // of a proposal
+constexpr double kProposing = 0.9, kProposingIfJagged = 0.75;  // share of the proposals
+constexpr double kNear = 0.25;                                 // of these, where the target is jagged
 
 constexpr double kPathLength = 1.5;
 constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
@@ -67,17 +67,24 @@ std::unique_ptr<Kernel> proposing(const Proposals& proposals, const LogDensity& 
 }
 
 /// Moves of the target that need no gradient, along jagged coordinates as well.
-std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
-  auto walk = make_mixture(make_random_walk(), make_refresh_move(), 1 - usual_refresh(has_jagged(target)));
+/// @param walk  of the continuous coordinates   @param refresh  share of these moves that are refresh moves
+std::unique_ptr<Kernel> without_gradient(const LogDensity& target, std::unique_ptr<Kernel> walk,
+                                         double refresh) {
+  walk = make_mixture(std::move(walk), make_refresh_move(), 1 - refresh);
   if (target.discrete_levels().empty()) return walk;
   return make_mixture(std::move(walk), make_discrete_move(), kAlpha);
 }
 
-/// What leads on where the emulator knows little. Where there are pits, which jagged targets have, gradients
-/// lead out of them: chains of flake_4 that began in one had left it after a minute, and not without.
-std::unique_ptr<Kernel> way_out_of(const LogDensity& target, double path_length) {
+std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
+  return without_gradient(target, make_random_walk(), usual_refresh(has_jagged(target)));
+}
+
+/// What leads on where the emulator knows little. Jagged targets have pits, as narrow as nowhere else, that
+/// walks of all scales lead out of in half the time of trajectories by gradients (leather_6,
+/// resources/charts).
+std::unique_ptr<Kernel> way_out_of(const LogDensity& target) {
   if (!has_jagged(target)) return walk_of(target);
-  return make_kernel("hmc", target, kAlpha, usual_refresh(/*has_jagged=*/true), "joint", path_length);
+  return without_gradient(target, make_walk_of_all_scales(), usual_refresh(/*has_jagged=*/false));
 }
 
 class EmulatedKernel final : public Kernel {
@@ -85,8 +92,8 @@ class EmulatedKernel final : public Kernel {
   EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
                  const LogDensity& target, double path_length)
       : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target, path_length),
-                             kProposing)) {}
+        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target),
+                             has_jagged(target) ? kProposingIfJagged : kProposing)) {}
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {

@@ -14,6 +14,11 @@ std::unique_ptr<Kernel> make_mala();
 /// Random-walk Metropolis with proposals from N(x, step^2 C), C the metric. Makes no use of gradients.
 std::unique_ptr<Kernel> make_random_walk();
 
+/// The same with steps of all scales, from a fiftieth to half of the metric's standard deviations, whatever
+/// step size is set: where a target is as narrow as nowhere else some of them still lead on (Guan & Krone
+/// 2007, "Small-world MCMC and convergence to multi-modal distributions"). Warm-up does not learn from it.
+std::unique_ptr<Kernel> make_walk_of_all_scales();
+
 /// Hamiltonian Monte Carlo (Duane et al. 1987; Neal 2011): the number of leapfrog steps is drawn anew for
 /// every transition, uniform from 1 to 2 path_length / step - 1.
 /// @param path_length  mean length of a trajectory in standard deviations (as the metric has them)

@@ -1,4 +1,5 @@
 #include <cassert>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -9,25 +10,46 @@
 namespace patina {
 namespace {
 
+constexpr double kUsualAcceptance =
+    0.234;  // Roberts, Gelman & Gilks 1997: the optimum as the dimension grows
+
+TransitionInfo walk(const LogDensity& target, const Metric& metric, double step_size, MoveKind move,
+                    ChainState& state, Rng& rng) {
+  assert(metric.dimension() == state.position.continuous.size());
+  ChainState proposal{state.position, {}};
+  Eigen::VectorXd& x = proposal.position.continuous;
+  x += step_size * metric.colour(rng.normals(x.size()));
+  proposal.evaluation = value_finite(target, proposal.position);
+  const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
+  return metropolis_step(move, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
+}
+
 class RandomWalk final : public Kernel {
  public:
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
-    assert(settings.metric && settings.metric->dimension() == state.position.continuous.size());
-    ChainState proposal{state.position, {}};
-    Eigen::VectorXd& x = proposal.position.continuous;
-    x += settings.step_size * settings.metric->colour(rng.normals(x.size()));
-    proposal.evaluation = value_finite(target, proposal.position);
-    const double log_ratio = proposal.evaluation.log_density - state.evaluation.log_density;
-    return metropolis_step(MoveKind::continuous, log_ratio, kNeverDivergent, std::move(proposal), state, rng);
+    assert(settings.metric);
+    return walk(target, *settings.metric, settings.step_size, MoveKind::continuous, state, rng);
   }
+  double target_acceptance() const override { return kUsualAcceptance; }
+};
 
-  /// Roberts, Gelman & Gilks 1997: the optimum as the dimension grows.
-  double target_acceptance() const override { return 0.234; }
+class WalkOfAllScales final : public Kernel {
+ public:
+  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
+                      Rng& rng) const override {
+    constexpr double kLargest = 0.5, kSmallestShare = 0.04;
+    assert(settings.metric);
+    const double step_size = kLargest * std::pow(kSmallestShare, rng.uniform());
+    return walk(target, *settings.metric, step_size, MoveKind::refresh, state, rng);
+  }
+  double target_acceptance() const override { return kUsualAcceptance; }
 };
 
 }  // namespace
 
 std::unique_ptr<Kernel> make_random_walk() { return std::make_unique<RandomWalk>(); }
+
+std::unique_ptr<Kernel> make_walk_of_all_scales() { return std::make_unique<WalkOfAllScales>(); }
 
 }  // namespace patina

@@ -50,6 +50,23 @@ TEST(Kernel, never_accepts_what_is_not_finite_and_says_so) {
     }
 }
 
+TEST(WalkOfAllScales, goes_on_where_a_walk_of_one_step_is_stuck_and_teaches_no_step_size) {
+  const GaussianTarget narrow(Eigen::VectorXd::Zero(8), 0.02 * 0.02 * Eigen::MatrixXd::Identity(8, 8));
+  const KernelSettings settings = settings_with(0.3, Eigen::MatrixXd::Identity(8, 8));
+  const auto accepted = [&](const Kernel& kernel) {
+    Rng rng(78);
+    ChainState state = state_at(narrow, {0.02 * rng.normals(8), {}});
+    int count = 0;
+    for (int i = 0; i < 500; ++i) count += kernel.step(narrow, settings, state, rng).accepted;
+    return count;
+  };
+  EXPECT_EQ(accepted(*make_random_walk()), 0);
+  EXPECT_GT(accepted(*make_walk_of_all_scales()), 30);
+  Rng rng(79);
+  ChainState state = state_at(narrow, {Eigen::VectorXd::Zero(8), {}});
+  EXPECT_NE(make_walk_of_all_scales()->step(narrow, settings, state, rng).move, MoveKind::continuous);
+}
+
 TEST(MetropolisStep, never_accepts_a_ratio_that_is_not_a_number_nor_one_place_without_density_for_another) {
   const ChainState somewhere{{Eigen::VectorXd::Zero(1), {}}, {-1, Eigen::VectorXd::Zero(1)}};
   const ChainState nowhere{{Eigen::VectorXd::Ones(1), {}}, {-kInfinity, Eigen::VectorXd::Zero(1)}};

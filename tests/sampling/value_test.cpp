@@ -63,8 +63,9 @@ Walk walk(const Counted& target, const Kernel& kernel) {
 }
 
 TEST(Value, moves_without_gradient_make_the_same_draws_from_values_alone) {
-  const auto refresh = make_refresh_move(), levels = make_single_discrete_move(), random = make_random_walk();
-  for (const Kernel* kernel : {refresh.get(), levels.get(), random.get()}) {
+  const auto refresh = make_refresh_move(), levels = make_single_discrete_move(), random = make_random_walk(),
+             scales = make_walk_of_all_scales();
+  for (const Kernel* kernel : {refresh.get(), levels.get(), random.get(), scales.get()}) {
     const Walk lazy = walk(Counted(true), *kernel), eager = walk(Counted(false), *kernel);
     EXPECT_EQ(lazy.places, eager.places);
     EXPECT_EQ(lazy.evaluations, 0);
