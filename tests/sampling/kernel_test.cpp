@@ -51,11 +51,11 @@ TEST(Kernel, never_accepts_what_is_not_finite_and_says_so) {
 }
 
 TEST(WalkOfAllScales, goes_on_where_a_walk_of_one_step_is_stuck_and_teaches_no_step_size) {
-  const GaussianTarget narrow(Eigen::VectorXd::Zero(8), 0.02 * 0.02 * Eigen::MatrixXd::Identity(8, 8));
+  const GaussianTarget narrow(Eigen::VectorXd::Zero(8), 0.04 * 0.04 * Eigen::MatrixXd::Identity(8, 8));
   const KernelSettings settings = settings_with(0.3, Eigen::MatrixXd::Identity(8, 8));
   const auto accepted = [&](const Kernel& kernel) {
     Rng rng(78);
-    ChainState state = state_at(narrow, {0.02 * rng.normals(8), {}});
+    ChainState state = state_at(narrow, {0.04 * rng.normals(8), {}});
     int count = 0;
     for (int i = 0; i < 500; ++i) count += kernel.step(narrow, settings, state, rng).accepted;
     return count;
