@@ -37,8 +37,8 @@ struct Emulation {
 };
 
 /// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
-/// refuses (make_two_stage); and now and then a walk under the target itself, or HMC where it is jagged,
-/// which leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
+/// refuses (make_two_stage); and now and then a walk under the target itself, of all scales where it is
+/// jagged, leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
 /// from their prior.
 /// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
