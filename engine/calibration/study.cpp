@@ -73,10 +73,14 @@ MapSearchResult search(const Posterior& posterior, Rng& rng) {
   return search_map({&posterior}, rng, settings);
 }
 
+Target about(Posterior posterior, Position mode) {
+  Eigen::MatrixXd laplace = laplace_covariance(posterior, mode);
+  return {std::move(posterior), std::move(mode), std::move(laplace)};
+}
+
 Target hand_set(Posterior posterior, Rng& rng) {
-  const OptimizerResult best = search(posterior, rng).best;
-  Eigen::MatrixXd laplace = laplace_covariance(posterior, best.position);
-  return {std::move(posterior), best.position, std::move(laplace)};
+  Position mode = search(posterior, rng).best.position;
+  return about(std::move(posterior), std::move(mode));
 }
 
 /// By what other irregularities do at the best match, which is climbed to anew (run/widened_errors.h).
@@ -85,9 +89,8 @@ Target widened(const Target& by_hand, IrregularityPool& pool, const StudySetting
   const Simulator simulator{
       .posterior = by_hand.posterior, .pool = pool, .camera = study.camera, .seed = seed};
   Posterior posterior = by_hand.posterior.with(errors_of_irregularities(simulator, by_hand.mode));
-  const OptimizerResult best = maximize(posterior, by_hand.mode);
-  Eigen::MatrixXd laplace = laplace_covariance(posterior, best.position);
-  return {std::move(posterior), best.position, std::move(laplace)};
+  Position mode = maximize(posterior, by_hand.mode).position;
+  return about(std::move(posterior), std::move(mode));
 }
 
 Target calibrated(const Calibration& found, const Posterior& posterior, const StudySettings& study,
@@ -181,11 +184,9 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
   outcome.distance = kNaN;
   Case example = make_case(settings_, blank_, photo, rng);
   const auto target_of = [&] {
-    if (settings_.errors != "calibrated") {
-      Target by_hand = hand_set(std::move(example.posterior), rng);
-      if (settings_.errors == "paper") return by_hand;
-      return widened(by_hand, *pool_, settings_, seed);
-    }
+    if (settings_.errors == "paper") return hand_set(std::move(example.posterior), rng);
+    if (settings_.errors == "widened")
+      return widened(hand_set(std::move(example.posterior), rng), *pool_, settings_, seed);
     const Simulator simulator{.posterior = example.posterior,
                               .pool = *pool_,
                               .camera = settings_.camera,

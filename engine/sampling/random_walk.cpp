@@ -10,8 +10,8 @@
 namespace patina {
 namespace {
 
-constexpr double kUsualAcceptance =
-    0.234;  // Roberts, Gelman & Gilks 1997: the optimum as the dimension grows
+// Roberts, Gelman & Gilks 1997: the optimum as the dimension grows.
+constexpr double kUsualAcceptance = 0.234;
 
 TransitionInfo walk(const LogDensity& target, const Metric& metric, double step_size, MoveKind move,
                     ChainState& state, Rng& rng) {
