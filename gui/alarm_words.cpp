@@ -11,7 +11,7 @@ using Wording = std::pair<std::string_view, std::string_view>;
 
 /// In this order: the last is what is left.
 constexpr std::array<Wording, 5> kWordings{{
-    {"(--errors widened)", "(Rules..., wider by what irregularities do)"},
+    {"(--errors averaged)", "(Rules..., averaged over irregularities)"},
     {"(--errors calibrated)", "(Rules..., learnt from simulated photos)"},
     {"(--errors paper)", "(Rules..., as usual between renders and photos)"},
     {" (--prior)", ""},  // the parameters' own curves are there to be dragged

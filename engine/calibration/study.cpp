@@ -8,9 +8,14 @@
 
 #include "engine/calibration/coverage.h"
 #include "engine/diagnostics/convergence.h"
+#include "engine/error.h"
 #include "engine/material/irregularities.h"
+#include "engine/posterior/emulate.h"
+#include "engine/posterior/emulated_moves.h"
 #include "engine/posterior/regressed_likelihood.h"
+#include "engine/posterior/vetted_density.h"
 #include "engine/posterior/wider_errors.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/predicted_start.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/kernels.h"
@@ -30,14 +35,16 @@ constexpr std::uint64_t kSeedsAStudy = 100'000;
 /// A photo, and what is known of it.
 struct Case {
   Image photo;
-  Posterior posterior;
+  std::shared_ptr<const Posterior> posterior;
   Position truth;
 };
 
 struct Target {
-  Posterior posterior;
+  std::shared_ptr<const LogDensity> density;
   Position mode;
   Eigen::MatrixXd covariance;
+  std::unique_ptr<const Kernel> kernel;
+  int warmup;
 };
 
 double processor_seconds() {
@@ -61,7 +68,7 @@ Case make_case(const StudySettings& study, const Posterior& any, int photo, Rng&
   settings.z_seed = kRuns + offset;
   const Position truth = prior_draw(any, rng);
   Image taken = any.simulated_photo(truth, Irregularities(kPhotos + offset), study.camera, rng);
-  Posterior posterior(settings, taken);
+  auto posterior = std::make_shared<const Posterior>(settings, taken);
   return {std::move(taken), std::move(posterior), truth};
 }
 
@@ -73,24 +80,32 @@ MapSearchResult search(const Posterior& posterior, Rng& rng) {
   return search_map({&posterior}, rng, settings);
 }
 
-Target about(Posterior posterior, Position mode) {
-  Eigen::MatrixXd laplace = laplace_covariance(posterior, mode);
-  return {std::move(posterior), std::move(mode), std::move(laplace)};
+constexpr double kContinuous = 0.8;
+
+Target hand_set(std::shared_ptr<const Posterior> posterior, const StudySettings& study, Rng& rng) {
+  Position mode = search(*posterior, rng).best.position;
+  Eigen::MatrixXd laplace = laplace_covariance(*posterior, mode);
+  auto kernel = make_kernel("mala", *posterior, kContinuous, 0.3);
+  return {std::move(posterior), std::move(mode), std::move(laplace), std::move(kernel), study.warmup};
 }
 
-Target hand_set(Posterior posterior, Rng& rng) {
-  Position mode = search(posterior, rng).best.position;
-  return about(std::move(posterior), std::move(mode));
-}
-
-/// By what other irregularities do at the best match, which is climbed to anew (run/widened_errors.h).
-Target widened(const Target& by_hand, IrregularityPool& pool, const StudySettings& study,
-               std::uint64_t seed) {
-  const Simulator simulator{
-      .posterior = by_hand.posterior, .pool = pool, .camera = study.camera, .seed = seed};
-  Posterior posterior = by_hand.posterior.with(errors_of_irregularities(simulator, by_hand.mode));
-  Position mode = maximize(posterior, by_hand.mode).position;
-  return about(std::move(posterior), std::move(mode));
+/// As a run has it (run/widened_errors.h, run/emulated_proposals.h), from the one match.
+Target averaged(const Posterior& by_hand, IrregularityPool& pool, const StudySettings& study,
+                std::uint64_t seed, Rng& rng) {
+  const Position match = search(by_hand, rng).best.position;
+  const Simulator simulator{.posterior = by_hand, .pool = pool, .camera = study.camera, .seed = seed};
+  const WiderErrors wider = errors_of_irregularities(simulator, match);
+  const Posterior widened = by_hand.with(wider);
+  Position mode = maximize(widened, match).position;
+  Eigen::MatrixXd laplace = laplace_covariance(widened, mode);
+  auto by_render = std::make_shared<Posterior>(by_hand.with(wider.of_the_photo()));
+  const std::optional<AveragedEmulator> average = emulate_average(
+      *by_render, {{mode, by_render->value(mode)}}, Metric(laplace), {.seed = seed, .others = &pool});
+  if (!average) throw UserError("Polynomials do not follow the renders of a photo: leave this material out.");
+  auto density = std::make_shared<VettedDensity>(*average, by_render, by_hand.informed());
+  auto kernel = make_emulated_kernel(average->emulator, by_hand.informed(), *density, 1.5, /*power=*/1);
+  return {std::move(density), std::move(mode), std::move(laplace), std::move(kernel),
+          std::min(study.warmup, kAveragedWarmup)};
 }
 
 Target calibrated(const Calibration& found, const Posterior& posterior, const StudySettings& study,
@@ -100,9 +115,15 @@ Target calibrated(const Calibration& found, const Posterior& posterior, const St
   outcome.simulated = found.photos;
   const Eigen::Index levels = std::ssize(posterior.discrete_levels());
   const double variance = study.error_scale * study.error_scale;
-  return {posterior.with(std::make_shared<const RegressedLikelihood>(found.likelihood.widened(variance))),
+  auto density = std::make_shared<Posterior>(
+      posterior.with(std::make_shared<const RegressedLikelihood>(found.likelihood.widened(variance))));
+  // A likelihood that takes microseconds can afford the kernel that needs no tuning.
+  auto kernel = make_kernel("nuts", *density, kContinuous, 0.5);
+  return {std::move(density),
           {found.mode, Eigen::VectorXi::Zero(levels)},
-          found.covariance};
+          found.covariance,
+          std::move(kernel),
+          study.warmup};
 }
 
 /// Chains begin wider than the posterior, so that R-hat can tell.
@@ -111,25 +132,21 @@ Sample draw(const Target& target, const StudySettings& study, std::uint64_t seed
   const Metric metric(target.covariance);
   SampleSettings settings;
   settings.chains = study.chains;
-  settings.warmup = study.warmup;
+  settings.warmup = target.warmup;
   settings.draws = study.draws;
   settings.seed = seed;
   settings.metric = MetricKind::curved;
-  settings.metric_worth = 10.0 * static_cast<double>(target.posterior.dimension());
+  settings.metric_worth = 10.0 * static_cast<double>(target.density->dimension());
   const auto start = [&](Rng& rng) {
     Position position = target.mode;
     position.continuous += kOverdispersion * metric.colour(rng.normals(position.continuous.size()));
     return position;
   };
-  // A likelihood that takes microseconds can afford the kernel that needs no tuning.
-  constexpr double kContinuous = 0.8;
-  const bool cheap = study.errors == "calibrated";
-  const auto kernel = make_kernel(cheap ? "nuts" : "mala", target.posterior, kContinuous, cheap ? 0.5 : 0.3);
-  return sample(target.posterior, *kernel, settings, start, metric);
+  return sample(*target.density, *target.kernel, settings, start, metric);
 }
 
 /// In sampling coordinates, where the prior's sd is 1 and places are those of the parameters' values.
-void judge(const Sample& sample, const Case& example, const Posterior& posterior, Rng& rng,
+void judge(const Sample& sample, const Case& example, const LogDensity& posterior, Rng& rng,
            PhotoOutcome& outcome) {
   const auto add = [&](const Eigen::MatrixXd& draws, double truth, double sd) {
     const double rhat = split_rhat(draws), ess = bulk_ess(draws);
@@ -184,23 +201,22 @@ PhotoOutcome CalibrationStudy::run(int photo) const {
   outcome.distance = kNaN;
   Case example = make_case(settings_, blank_, photo, rng);
   const auto target_of = [&] {
-    if (settings_.errors == "paper") return hand_set(std::move(example.posterior), rng);
-    if (settings_.errors == "widened")
-      return widened(hand_set(std::move(example.posterior), rng), *pool_, settings_, seed);
-    const Simulator simulator{.posterior = example.posterior,
+    if (settings_.errors == "paper") return hand_set(example.posterior, settings_, rng);
+    if (settings_.errors == "averaged") return averaged(*example.posterior, *pool_, settings_, seed, rng);
+    const Simulator simulator{.posterior = *example.posterior,
                               .pool = *pool_,
                               .camera = settings_.camera,
                               .seed = seed,
                               .guess = guess_};
     const OnDemand on_demand{
         .pilot = [&]() -> const Pilot& { return pilot(); },
-        .match = [&] { return search(example.posterior, rng).best.position.continuous; }};
+        .match = [&] { return search(*example.posterior, rng).best.position.continuous; }};
     const Calibration found = calibrate(simulator, example.photo, on_demand, settings_.simulations);
-    return calibrated(found, example.posterior, settings_, outcome);
+    return calibrated(found, *example.posterior, settings_, outcome);
   };
   const Target target = target_of();
   const Sample sample = draw(target, settings_, seed);
-  judge(sample, example, target.posterior, rng, outcome);
+  judge(sample, example, *target.density, rng, outcome);
   outcome.seconds = processor_seconds() - begin;
   return outcome;
 }

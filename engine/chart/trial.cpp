@@ -10,6 +10,7 @@
 
 #include "engine/chart/metered_density.h"
 #include "engine/error.h"
+#include "engine/posterior/emulated_moves.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/sampling/kernels.h"

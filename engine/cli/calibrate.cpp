@@ -143,7 +143,7 @@ photos' own.
 
 This page is written by
 
-    patina-cli calibrate --out DIR --photos N [--errors calibrated|widened|paper] [--material NAME]...
+    patina-cli calibrate --out DIR --photos N [--errors calibrated|averaged|paper] [--material NAME]...
 
 of all the tables in DIR, to which a photo is added as it is done; the options of each are in its title.
 
@@ -223,7 +223,7 @@ void add_calibrate(CLI::App& app, Command& chosen) {
       ->required();
   command
       .add_option("--errors", options->study.errors,
-                  "Error model: paper (set by hand), widened (by what other irregularities do) or calibrated")
+                  "Error model: paper (set by hand), averaged (over irregularities) or calibrated")
       ->check(CLI::IsMember(error_names()))
       ->capture_default_str();
   command.add_option("--photos", options->photos, "Number of synthetic photos")->capture_default_str();

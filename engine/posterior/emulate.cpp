@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/posterior/informed_density.h"
+#include "engine/posterior/emulated_moves.h"
+#include "engine/posterior/irregularity_pool.h"
 #include "engine/posterior/known_residuals.h"
 #include "engine/posterior/recording_density.h"
+#include "engine/posterior/simulate.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
@@ -23,88 +25,10 @@ namespace {
 // Apart from the search's and the chains'; what is learnt again sees other places of textures and levels.
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c, kAgainStream = kEmulatorStream + 1;
 
-constexpr int kMovesFar = 50, kMovesNear = 1;                  // of a proposal
-constexpr double kProposing = 0.9, kProposingIfJagged = 0.75;  // share of the proposals
-constexpr double kNear = 0.25;                                 // of these, where the target is jagged
+constexpr std::uint64_t kPoolSeeds = 100'000'000;
 
 constexpr double kPathLength = 1.5;
-constexpr double kSoftness = 0.8;  // power of the likelihood: from tails that are too heavy a way leads back
-constexpr double kAlpha = 0.9;     // continuous moves, where there are levels
 constexpr double kWideBeta = 0.5;  // inverse temperature of what spreads further than the posterior
-
-/// What an emulator takes the target for, a little softened, and the kernel that proposes by it.
-class Proposals {
- public:
-  Proposals(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target)
-      : emulator_(emulator.softened(kSoftness)), density_(emulator_, informed, target) {}
-  Proposals(const Proposals&) = delete;  // its density refers to it
-  Proposals& operator=(const Proposals&) = delete;
-
-  /// Not straightened: the map that warm-up fits is no good in tails, and where it bends them chains stayed
-  /// for thousands of iterations (of 50 moves from leather_6's, a fifteenth led out, a fifth as soon
-  /// without).
-  std::unique_ptr<Kernel> kernel(double path_length, int moves) const {
-    constexpr int kMostSteps = 24;
-    constexpr double kCareful = 0.4;
-    const double refresh = usual_refresh(/*has_jagged=*/false);
-    auto kernel = make_mixture(make_hmc(path_length, kMostSteps, kCareful), make_refresh_move(), 1 - refresh);
-    if (!density_.discrete_levels().empty())
-      kernel = make_mixture(std::move(kernel), make_discrete_move(), kAlpha);
-    return make_two_stage(std::move(kernel), density_, moves);
-  }
-
- private:
-  Emulator emulator_;
-  InformedDensity density_;
-};
-
-/// Far proposals alone, or near ones as well: what the emulator does not know of a jagged target is about the
-/// same a step away, so that chains walk on where far proposals are refused.
-std::unique_ptr<Kernel> proposing(const Proposals& proposals, const LogDensity& target, double path_length) {
-  auto far = proposals.kernel(path_length, kMovesFar);
-  if (!has_jagged(target)) return far;
-  return make_mixture(std::move(far), proposals.kernel(path_length, kMovesNear), 1 - kNear);
-}
-
-/// Moves of the target that need no gradient, along jagged coordinates as well.
-/// @param walk  of the continuous coordinates   @param refresh  share of these moves that are refresh moves
-std::unique_ptr<Kernel> without_gradient(const LogDensity& target, std::unique_ptr<Kernel> walk,
-                                         double refresh) {
-  walk = make_mixture(std::move(walk), make_refresh_move(), 1 - refresh);
-  if (target.discrete_levels().empty()) return walk;
-  return make_mixture(std::move(walk), make_discrete_move(), kAlpha);
-}
-
-std::unique_ptr<Kernel> walk_of(const LogDensity& target) {
-  return without_gradient(target, make_random_walk(), usual_refresh(has_jagged(target)));
-}
-
-/// What leads on where the emulator knows little. Jagged targets have pits, as narrow as nowhere else, that
-/// walks of all scales lead out of in half the time of trajectories by gradients (leather_6,
-/// resources/charts).
-std::unique_ptr<Kernel> way_out_of(const LogDensity& target) {
-  if (!has_jagged(target)) return walk_of(target);
-  return without_gradient(target, make_walk_of_all_scales(), usual_refresh(/*has_jagged=*/false));
-}
-
-class EmulatedKernel final : public Kernel {
- public:
-  EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
-                 const LogDensity& target, double path_length)
-      : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target),
-                             has_jagged(target) ? kProposingIfJagged : kProposing)) {}
-
-  TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
-                      Rng& rng) const override {
-    return kernel_->step(target, settings, state, rng);
-  }
-  double target_acceptance() const override { return kernel_->target_acceptance(); }
-
- private:
-  Proposals proposals_;
-  std::unique_ptr<Kernel> kernel_;
-};
 
 /// A chain of the posterior that comes along while the emulator learns.
 struct Walker {
@@ -138,44 +62,73 @@ class Learner {
   }
 
   Emulation learn() {
-    evaluate(about_the_mode());
-    fit();
     Emulation result;
-    std::vector<double> taken;  // by round
-    for (;;) {
-      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
-      if (known_.count() + more > most_) break;
-      const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
-      evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers));
-      taken.push_back(walk(steps));
-      fit();
-      const auto lately = std::span(taken).last((taken.size() + 1) / 2);  // a round is a few proposals
-      result.taken = std::accumulate(lately.begin(), lately.end(), 0.0) / static_cast<double>(lately.size());
-      if (taken.size() > 1 && std::ranges::min(std::span(taken).last(2)) >= settings_.good) break;
-    }
+    result.taken = learn_beside_walkers();
     if (result.taken >= settings_.poor) result.emulator = std::move(emulator_);
     result.known = std::move(known_);
     return result;
+  }
+
+  std::optional<AveragedEmulator> learn_average() {
+    constexpr Eigen::Index kFewestOfAverage = 2400;
+    constexpr int kChecked = 128;
+    const Eigen::Index most = settings_.most > 0 ? most_ : std::max(kFewestOfAverage, most_);
+    evaluate(about_the_mode());
+    evaluate(about_the_starts());
+    fit();
+    for (;;) {
+      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 4);
+      if (known_.count() + more + kChecked > most) break;
+      if (share_within(learn_from_draws(more)) >= settings_.good) break;
+    }
+    const Eigen::MatrixXd draws = softened_draws(kChecked, 1);
+    evaluate(draws);
+    const std::vector<double> deeper = deeper_than_promised(draws);
+    if (share_within(deeper) < settings_.poor) return {};
+    return AveragedEmulator{std::move(emulator_), allowance(deeper)};
   }
 
   Emulator learn_at(const Eigen::MatrixXd& places, const KnownResiduals& known) {
     known_ = known;
     evaluate(places.rightCols(std::min(places.cols(), most_)));
     fit();
-    const Eigen::Index a_round = std::max(kLeastRound, most_ / 2 / kRoundsAgain);
-    for (int i = 0; i < kRoundsAgain; ++i) {
-      const Eigen::MatrixXd draws = softened_draws(static_cast<int>(a_round));
-      evaluate(draws);
-      const bool was_right = was_right_about(draws);
-      fit();
-      if (was_right) break;
-    }
+    for (int i = 0; i < kRoundsAgain; ++i)
+      if (is_right(learn_from_draws(std::max(kLeastRound, most_ / 2 / kRoundsAgain)))) break;
     return std::move(emulator_);
   }
 
  private:
   static constexpr Eigen::Index kLeastRound = 60, kFewest = 1200;  // evaluations
   static constexpr int kRoundsAgain = 4;
+
+  /// @return the share of proposals that walkers took lately
+  double learn_beside_walkers() {
+    evaluate(about_the_mode());
+    fit();
+    double result = 0;
+    std::vector<double> taken;  // by round
+    for (;;) {
+      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
+      if (known_.count() + more > most_) break;
+      const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
+      evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers, kWideBeta));
+      taken.push_back(walk(steps));
+      fit();
+      const auto lately = std::span(taken).last((taken.size() + 1) / 2);  // a round is a few proposals
+      result = std::accumulate(lately.begin(), lately.end(), 0.0) / static_cast<double>(lately.size());
+      if (taken.size() > 1 && std::ranges::min(std::span(taken).last(2)) >= settings_.good) break;
+    }
+    return result;
+  }
+
+  /// @return deeper_than_promised() by what it was learnt from before
+  std::vector<double> learn_from_draws(Eigen::Index count) {
+    const Eigen::MatrixXd draws = softened_draws(static_cast<int>(count), kWideBeta);
+    evaluate(draws);
+    std::vector<double> deeper = deeper_than_promised(draws);
+    fit();
+    return deeper;
+  }
 
   /// At informed coordinates; those of places and levels are drawn from their prior for each.
   void evaluate(const Eigen::MatrixXd& places) {
@@ -185,32 +138,60 @@ class Learner {
       Rng rng(seed, i);
       Position position = prior_draw(posterior_, rng);
       position.continuous(informed_) = places.col(static_cast<Eigen::Index>(i));
-      recording(records[i]).evaluate(position);
+      if (settings_.others)
+        evaluate_with((*settings_.others)[seed % kPoolSeeds + i], std::move(position), records[i]);
+      else
+        recording(posterior_, records[i]).evaluate(position);
     };
     parallel_for(records.size(), settings_.threads, work, settings_.enter_thread);
     add(records);
   }
 
-  RecordingDensity recording(Evaluated& record) const {
-    return {posterior_, informed_, observed_, settings_.evaluated, record};
+  /// With other irregularities, at the levels that they are shown at.
+  void evaluate_with(std::shared_ptr<const Irregularities> z, Position position, Evaluated& record) const {
+    position.discrete = levels_of(posterior_, *z);
+    recording(posterior_.with(std::move(z)), record).evaluate(position);
   }
 
-  /// Whether it is as exact as proposals need it, at places that were evaluated last.
-  bool was_right_about(const Eigen::MatrixXd& places) const {
-    constexpr double kRight = 0.3;  // nats, the median deviation: an sd of 0.45
+  RecordingDensity recording(const Posterior& posterior, Evaluated& record) const {
+    return {posterior, informed_, observed_, settings_.evaluated, record};
+  }
+
+  /// Nats, at places that were evaluated last.
+  std::vector<double> deeper_than_promised(const Eigen::MatrixXd& places) const {
     const Eigen::VectorXd energies = known_.all().energies().tail(places.cols());
-    std::vector<double> errors;
+    std::vector<double> deeper;
     for (Eigen::Index i = 0; i < places.cols(); ++i)
-      errors.push_back(energies[i] + emulator_.evaluate({places.col(i), {}}).log_density);
-    const double middle = median(errors);
-    for (double& error : errors) error = std::abs(error - middle);
-    return median(std::move(errors)) < kRight;
+      deeper.push_back(energies[i] + emulator_.evaluate({places.col(i), {}}).log_density);
+    return deeper;
   }
 
-  static double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
+  /// Whether it is as exact as proposals need it.
+  static bool is_right(std::vector<double> deeper) {
+    constexpr double kRight = 0.3;  // nats, the median deviation: an sd of 0.45
+    const double middle = quantile(deeper, 0.5);
+    for (double& error : deeper) error = std::abs(error - middle);
+    return quantile(std::move(deeper), 0.5) < kRight;
+  }
+
+  /// What luck of irregularities makes renders worse than their mean: their scatter is about a nat, so that
+  /// four above the lower quartile, which what is promised in vain does not move much, are three sds above
+  /// the middle.
+  static double allowance(const std::vector<double>& deeper) {
+    constexpr double kScatter = 4;
+    return quantile(deeper, 0.25) + kScatter;
+  }
+
+  static double share_within(const std::vector<double>& deeper) {
+    const double allowed = allowance(deeper);
+    const auto within = std::ranges::count_if(deeper, [&](double by) { return by <= allowed; });
+    return static_cast<double>(within) / static_cast<double>(deeper.size());
+  }
+
+  static double quantile(std::vector<double> values, double share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::ranges::nth_element(values, at);
+    return *at;
   }
 
   void fit() { emulator_ = Emulator(known_.worth_learning(first_), axes_); }
@@ -223,9 +204,24 @@ class Learner {
     return places;
   }
 
+  /// What no place was tried about, no draw of the emulator may ever come to: without these an end of
+  /// leather_6's posterior, power above .4, was thought empty.
+  Eigen::MatrixXd about_the_starts() {
+    constexpr Eigen::Index kEach = 10;
+    constexpr double kSpread = 0.5;  // Laplace's sds
+    Eigen::MatrixXd places(std::ssize(informed_), kEach * std::ssize(walkers_));
+    for (Eigen::Index i = 0; i < places.cols(); ++i) {
+      const Position& start = walkers_[static_cast<std::size_t>(i / kEach)].state.position;
+      places.col(i) =
+          start.continuous(informed_) + kSpread * informed_laplace_.colour(rng_.normals(places.rows()));
+    }
+    return places;
+  }
+
   /// So many draws, hardly depending on each other, of the prior and the root of the emulated likelihood:
   /// were they of the emulator itself, it would never learn of tails that it thinks too little of.
-  Eigen::MatrixXd softened_draws(int count) {
+  /// @param beta  inverse temperature of the likelihood
+  Eigen::MatrixXd softened_draws(int count, double beta) {
     constexpr int kChains = 4, kApart = 10;
     SampleSettings settings;
     settings.chains = kChains;
@@ -234,7 +230,7 @@ class Learner {
     settings.seed = rng_();
     settings.noise_repeats = 0;
     settings.threads = settings_.threads;
-    const TemperedDensity wide(emulator_, kWideBeta);
+    const TemperedDensity wide(emulator_, beta);
     const auto kernel =
         make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
     const Sample sample = patina::sample(
@@ -243,7 +239,7 @@ class Learner {
           return Position{mode_(informed_), {}};
         },
         informed_laplace_);
-    metric_ = with_informed(pooled(sample));
+    metric_ = with_informed(beta * pooled(sample));
     Eigen::MatrixXd draws(std::ssize(informed_), count);
     for (Eigen::Index i = 0; i < draws.rows(); ++i)
       for (Eigen::Index j = 0; j < count; ++j)
@@ -251,14 +247,14 @@ class Learner {
     return draws;
   }
 
-  /// Of all draws, which the inverse temperature has spread.
+  /// The covariance of all draws.
   static Eigen::MatrixXd pooled(const Sample& wide) {
     const Eigen::Index d = std::ssize(wide.coordinates);
     Eigen::MatrixXd all(wide.log_density.size(), d);
     for (Eigen::Index i = 0; i < d; ++i)
       all.col(i) = wide.coordinates[static_cast<std::size_t>(i)].reshaped();
     all.rowwise() -= all.colwise().mean().eval();
-    return kWideBeta / static_cast<double>(all.rows()) * all.transpose() * all;
+    return all.transpose() * all / static_cast<double>(all.rows());
   }
 
   /// The walkers' metric with that covariance of the informed coordinates.
@@ -271,14 +267,14 @@ class Learner {
 
   /// Every third step of a walker is a proposal. @return the share of these that were taken
   double walk(int steps) {
-    const Proposals proposals(emulator_, informed_, posterior_);
-    const auto proposal = proposals.kernel(kPathLength, kMovesFar), walk = walk_of(posterior_);
+    const EmulatedProposals proposals(emulator_.softened(kSoftened), informed_, posterior_);
+    const auto proposal = proposals.far(kPathLength), walk = make_walk_of(posterior_);
     const KernelSettings settings{.metric = metric_};
     const auto work = [&](std::size_t k) {
       Walker& walker = walkers_[k];
       walker.record = {};
       walker.taken = 0;
-      const RecordingDensity target = recording(walker.record);
+      const RecordingDensity target = recording(posterior_, walker.record);
       for (int i = 0; i < steps; ++i) {
         const bool proposes = i % 3 == 0;
         const TransitionInfo info =
@@ -330,12 +326,6 @@ class Learner {
 
 }  // namespace
 
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
-                                             const std::vector<Eigen::Index>& informed,
-                                             const LogDensity& target, double path_length) {
-  return std::make_unique<EmulatedKernel>(emulator, informed, target, path_length);
-}
-
 bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
 
 bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target,
@@ -358,6 +348,12 @@ bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& infor
 Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings) {
   return Learner(posterior, starts, laplace, settings, kEmulatorStream).learn();
+}
+
+std::optional<AveragedEmulator> emulate_average(const Posterior& posterior,
+                                                const std::vector<ChainState>& starts, const Metric& laplace,
+                                                const EmulateSettings& settings) {
+  return Learner(posterior, starts, laplace, settings, kEmulatorStream).learn_average();
 }
 
 Emulator emulate_about(const Posterior& posterior, const Eigen::MatrixXd& places, const KnownResiduals& known,

@@ -2,17 +2,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "engine/posterior/emulator.h"
 #include "engine/posterior/known_residuals.h"
 #include "engine/posterior/posterior.h"
-#include "engine/sampling/kernel.h"
+#include "engine/posterior/vetted_density.h"
+#include "engine/sampling/chain_state.h"
 #include "engine/sampling/metric.h"
 
 namespace patina {
+
+class IrregularityPool;
 
 struct EmulateSettings {
   /// Evaluations of the posterior at most; 0: six for each of the polynomials' monomials, at least 1200. What
@@ -26,6 +28,9 @@ struct EmulateSettings {
   int threads = 1;
   std::uint64_t seed = 1;
 
+  /// Whose irregularities renders have, each another one's; none: those of the posterior.
+  IrregularityPool* others = nullptr;
+
   std::function<void()> enter_thread = {};  ///< called first on each thread
   std::function<void()> evaluated = {};     ///< called after each evaluation, from any thread; may throw
 };
@@ -35,15 +40,6 @@ struct Emulation {
   double taken = 0;                  ///< share of the later half of rounds' proposals that the posterior took
   KnownResiduals known;              ///< what it has learnt from
 };
-
-/// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
-/// refuses (make_two_stage); and now and then a walk under the target itself, of all scales where it is
-/// jagged, leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
-/// from their prior.
-/// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
-std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
-                                             const std::vector<Eigen::Index>& informed,
-                                             const LogDensity& target, double path_length);
 
 constexpr int kEmulatorWalkers = 16;
 
@@ -67,6 +63,15 @@ bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& infor
 /// @param laplace  the covariance that the posterior has about its mode, about
 Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& starts, const Metric& laplace,
                   const EmulateSettings& settings);
+
+/// What the posterior is on average over irregularities (VettedDensity): learnt from renders of
+/// settings.others about the mode and about the starts, then, round by round, from draws of the emulator, its
+/// likelihood softened, until most of these (EmulateSettings::good) are no deeper than it promises and the
+/// luck of irregularities allows. No chains come along: of one z's they know the pits, not the mean.
+/// @return none if in the end only few draws are (EmulateSettings::poor)
+std::optional<AveragedEmulator> emulate_average(const Posterior& posterior,
+                                                const std::vector<ChainState>& starts, const Metric& laplace,
+                                                const EmulateSettings& settings);
 
 /// An emulator of places that chains have come to, evaluated with other places of textures and levels of
 /// their prior: about the posterior it is several times as exact as one that had to find it. Then from

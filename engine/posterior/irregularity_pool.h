@@ -36,6 +36,8 @@ constexpr std::uint64_t kSimulatedSeeds = 1'000'000'000;
 
 /// For a material that has places few, dealt anew by where their maps are looked at; else as many as are
 /// asked for.
-std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed);
+/// @param most  that are kept where they are dear
+std::shared_ptr<IrregularityPool> make_pool(const ParameterTable& table, std::uint64_t first_seed,
+                                            std::size_t most = 128);
 
 }  // namespace patina

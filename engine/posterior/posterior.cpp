@@ -152,6 +152,12 @@ Eigen::VectorXd Posterior::in_errors(const Eigen::VectorXd& summary) const {
   return to_vector(parts_->whitened(to_tensor(summary)));
 }
 
+Posterior Posterior::with(std::shared_ptr<const Irregularities> z) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->z = std::move(z);
+  return Posterior(std::move(parts));
+}
+
 Posterior Posterior::with(const WiderErrors& wider) const {
   auto parts = std::make_unique<Parts>(*parts_);
   parts->whitened = parts->whitened.along(wider);

@@ -94,6 +94,9 @@ class Posterior final : public LogDensity {
   /// The summaries of such photos, of one size, in one pass. @return entries x photos
   Eigen::MatrixXd simulated_summaries(std::span<const Image> photos) const;
 
+  /// The same posterior given other irregularities.
+  Posterior with(std::shared_ptr<const Irregularities> z) const;
+
   /// The same posterior with errors that are wider along some directions.
   Posterior with(const WiderErrors& wider) const;
 

@@ -17,12 +17,6 @@ constexpr Eigen::Index kInOnePass = 4;
 
 constexpr std::uint64_t kDiscrepancies = 0x6469'7363'0000'0000;  // streams of no photo
 
-/// The levels that irregularities are shown at: always the same, so that few maps are kept.
-Eigen::VectorXi levels_of(const Posterior& posterior, const Irregularities& z) {
-  Rng rng(z.seed());
-  return prior_draw(posterior, rng).discrete;
-}
-
 void add_discrepancy(const Simulator& simulator, std::uint64_t stream, SimulatedPhotos& photos) {
   const Eigen::VectorXd sds = simulator.errors();
   Rng rng(simulator.seed, kDiscrepancies + stream);
@@ -32,6 +26,11 @@ void add_discrepancy(const Simulator& simulator, std::uint64_t stream, Simulated
 }
 
 }  // namespace
+
+Eigen::VectorXi levels_of(const Posterior& posterior, const Irregularities& z) {
+  Rng rng(z.seed());
+  return prior_draw(posterior, rng).discrete;
+}
 
 Eigen::VectorXd Simulator::errors() const { return discrepancy * posterior.hand_set_errors(); }
 

@@ -45,6 +45,9 @@ struct SimulatedPhotos {
   Eigen::MatrixXd guesses;    ///< by Guess::centre, informed coordinates x n; none without it
 };
 
+/// The levels that irregularities are shown at: always the same, so that few maps are kept.
+Eigen::VectorXi levels_of(const Posterior& posterior, const Irregularities& z);
+
 /// @param stream  another one for other photos; the same gives the same ones, whatever their discrepancy
 SimulatedPhotos simulate(const Simulator& simulator, const Region& region, int photos, std::uint64_t stream);
 

@@ -24,15 +24,13 @@ std::optional<Alarm> apart_alarm(const RunSettings& settings, const ParameterTab
   const QuantitySummary* worst = furthest_from_good(summary);
   if (!is_wrinkled(settings, table) || !enough || worst == nullptr || !(worst->rhat > kApartRhat))
     return std::nullopt;
-  return Alarm{"apart",
-               "Chains sit in matches of their own (R-hat " + format("%.2f", worst->rhat) + " of " +
-                   worst->name + "): places of the texture that look alike each make one. " +
-                   (settings.errors == "paper"
-                        ? "Errors that allow for what irregularities do (--errors widened) let chains "
-                          "pass more easily; ones"
-                        : "Errors") +
-                   " learnt from simulated photos (--errors calibrated) average over them, and "
-                   "usually let chains agree within a minute or two."};
+  return Alarm{"apart", "Chains sit in matches of their own (R-hat " + format("%.2f", worst->rhat) + " of " +
+                            worst->name + "): places of the texture that look alike each make one. " +
+                            (settings.errors == "paper"
+                                 ? "Averaged over irregularities (--errors averaged) they are one; errors"
+                                 : "Errors") +
+                            " learnt from simulated photos (--errors calibrated) average over them, too, and "
+                            "usually let chains agree within a minute or two."};
 }
 
 Alarms all_alarms(const RunSettings& settings, const ParameterTable& table, const RunStatus& status,

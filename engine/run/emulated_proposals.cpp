@@ -70,6 +70,21 @@ EmulateSettings learning(const RunSettings& run, RunShared& shared, std::atomic<
               }};
 }
 
+std::vector<ChainState> ends_of(const std::vector<MapPoint>& basins, const Posterior& posterior) {
+  std::vector<ChainState> ends;
+  for (const MapPoint& basin : basins) ends.push_back({posterior.position(basin.values), {basin.lp, {}}});
+  return ends;
+}
+
+std::vector<ChainState> starts_about(const Posterior& rough, const Posterior& posterior,
+                                     const ChainState& mode, const std::vector<ChainState>& ends,
+                                     const Metric& laplace, const EmulateSettings& settings,
+                                     RunShared& shared) {
+  const ControlledDensity roughly(rough, shared.control), target(posterior, shared.control);
+  return emulator_starts(roughly, target, mode, ends, laplace, settings.seed, settings.threads,
+                         settings.enter_thread);
+}
+
 /// moves_of_warmup() as the chains' files have them. @return [dimension, n]
 Eigen::MatrixXd places_of_warmup(const Posterior& posterior, const std::filesystem::path& directory,
                                  const RunSettings& run) {
@@ -147,12 +162,9 @@ Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, con
                          RunShared& shared) {
   std::atomic<int> evaluated{0};
   const EmulateSettings settings = learning(run, shared, evaluated);
-  std::vector<ChainState> ends;
-  for (const MapPoint& basin : basins) ends.push_back({posterior.position(basin.values), {basin.lp, {}}});
-  const ControlledDensity roughly(rough, shared.control), target(posterior, shared.control);
-  const std::vector<ChainState> starts = emulator_starts(roughly, target, mode, ends, laplace, run.seed,
-                                                         settings.threads, settings.enter_thread);
-  Emulation made = emulate(posterior, starts, laplace, settings);
+  const std::vector<ChainState> ends = ends_of(basins, posterior);
+  Emulation made = emulate(posterior, starts_about(rough, posterior, mode, ends, laplace, settings, shared),
+                           laplace, settings);
   std::string why_not;
   if (!made.emulator)
     why_not =
@@ -163,6 +175,23 @@ Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, con
   if (why_not.empty()) return made;
   if (run.kernel == kEmulated) throw UserError(why_not + ": use --kernel hmc.");
   return {};
+}
+
+std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Posterior& posterior,
+                                              IrregularityPool& others, const Position& mode,
+                                              const Metric& laplace, const std::vector<MapPoint>& basins,
+                                              const RunSettings& run, RunShared& shared) {
+  std::atomic<int> evaluated{0};
+  EmulateSettings settings = learning(run, shared, evaluated);
+  settings.others = &others;
+  std::vector<ChainState> ends = ends_of(basins, posterior);
+  for (ChainState& end : ends) end.evaluation = posterior.value(end.position);
+  const std::vector<ChainState> starts =
+      starts_about(rough, posterior, {mode, posterior.value(mode)}, ends, laplace, settings, shared);
+  std::optional<AveragedEmulator> made = emulate_average(posterior, starts, laplace, settings);
+  if (!made && run.kernel == kEmulated)
+    throw UserError("Polynomials do not follow the renders about this match: use --kernel hmc.");
+  return made;
 }
 
 std::vector<ChainIteration> moves_of_warmup(const std::vector<std::vector<double>>& log_densities) {

@@ -42,6 +42,17 @@ Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, con
                          const Metric& laplace, const std::vector<MapPoint>& basins,
                          const RunSettings& settings, RunShared& shared);
 
+/// emulate_average() of a run, likewise. None where polynomials do not follow the renders.
+/// @param posterior  by the photo's errors alone, with the run's own irregularities
+/// @throws RunStopped   @throws UserError where they do not and the kernel is "emulated"
+std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Posterior& posterior,
+                                              IrregularityPool& others, const Position& mode,
+                                              const Metric& laplace, const std::vector<MapPoint>& basins,
+                                              const RunSettings& settings, RunShared& shared);
+
+/// Iterations of warm-up that chains of an average have at most: it has no pits to be left.
+constexpr int kAveragedWarmup = 150;
+
 /// An iteration of a chain.
 struct ChainIteration {
   int chain = 0;

@@ -8,6 +8,7 @@
 #include "engine/posterior/emulator.h"
 #include "engine/posterior/known_residuals.h"
 #include "engine/posterior/posterior.h"
+#include "engine/posterior/vetted_density.h"
 #include "engine/posterior/wider_errors.h"
 #include "engine/run/calibrated_errors.h"
 #include "engine/run/chain.h"
@@ -29,6 +30,7 @@ struct ModeFound {
   std::optional<WiderErrors> wider = {};        ///< of widened errors, likewise
   bool has_tried_to_emulate = false;            ///< where there are to be emulated proposals
   std::optional<Emulator> emulator = {};        ///< of these
+  std::optional<AveragedEmulator> average = {};  ///< in its place, of widened errors: what is drawn from
   std::optional<KnownResiduals> known = {};  ///< that it was learnt from; not kept, learnt anew when recalled
   bool has_learnt_again = false;             ///< what warm-up has come to; the emulator is of that then
 };

@@ -9,12 +9,13 @@
 namespace patina {
 namespace {
 
-void serialise(Archive& archive, std::optional<Emulator>& emulator) {
-  bool is_there = emulator.has_value();
+template <class T>
+void serialise(Archive& archive, std::optional<T>& value) {
+  bool is_there = value.has_value();
   archive(is_there);
   if (!is_there) return;
-  if (!emulator) emulator.emplace();
-  archive(*emulator);
+  if (!value) value.emplace();
+  archive(*value);
 }
 
 /// What the settings make optional is there or not with them; an emulator is not before there are chains.
@@ -24,13 +25,14 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     if (!found.errors) found.errors.emplace();
     archive(*found.errors);
   }
-  if (settings.errors == "widened") {
+  if (settings.errors == "averaged") {
     if (!found.wider) found.wider.emplace();
     archive(*found.wider);
   }
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   archive(found.has_tried_to_emulate);
   serialise(archive, found.emulator);
+  if (settings.errors == "averaged") serialise(archive, found.average);
   archive(found.has_learnt_again);
 }
 
@@ -51,7 +53,8 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
     if (!fits(found.laplace, target) || !fits(found.mode, target) ||
         (found.errors && !fits(*found.errors, target)) ||
         (found.wider && !found.wider->are_of(target.photo_summary().size())) ||
-        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))))
+        (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))) ||
+        (found.average && !found.average->is_of(std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

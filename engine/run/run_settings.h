@@ -39,15 +39,18 @@ struct RunSettings {
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
   std::string device = "cpu";         ///< that it runs on (engine/summary/device.h)
-  /// What renders may be off by, of error_names(): "paper", set by hand; "widened", and by what
-  /// irregularities do at the best match (posterior/wider_errors.h); "calibrated", learnt from simulated
-  /// photos (posterior/calibrate.h).
+                               /// What renders may be off by, of error_names(): "paper", set by hand;
+                               /// "averaged", and by what a photo's
+  /// irregularities do at the best match, renders being averaged over theirs (posterior/vetted_density.h),
+  /// or, where proposals are not emulated, by what both do (posterior/wider_errors.h); "calibrated", learnt
+  /// from simulated photos (posterior/calibrate.h).
   std::string errors = "paper";
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number in use.
+  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number in use, of which an
+  /// average over irregularities takes kAveragedWarmup at most.
   std::optional<int> warmup;
   int draws = 10000;   ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;  ///< probability of a continuous move, where there are discrete parameters

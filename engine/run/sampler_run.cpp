@@ -11,6 +11,8 @@
 #include "engine/io/image_file.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
+#include "engine/posterior/emulated_moves.h"
+#include "engine/posterior/irregularity_pool.h"
 #include "engine/run/asked_start.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
@@ -151,7 +153,7 @@ void SamplerRun::run_to_the_end() {
   manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
                                 finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
-  manifest_.kernel = kernel_in_use(settings_, found.emulator.has_value());
+  manifest_.kernel = kernel_in_use(settings_, found.emulator || found.average);
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(std::move(found));
@@ -206,9 +208,15 @@ void SamplerRun::keep(const ModeFound& found) {
 ModeFound SamplerRun::with_proposals(ModeFound found) {
   if (!emulates_ || settings_.map_only || found.has_tried_to_emulate) return found;
   const Stopwatch stopwatch(manifest_.seconds.search);
-  Emulation made = learnt_about(found);
-  found.emulator = std::move(made.emulator);
-  if (found.emulator) found.known = std::move(made.known);
+  if (found.wider) {
+    found.average =
+        learn_average(*coarsest(), posteriors_.back()->with(found.wider->of_the_photo()), irregularities(),
+                      found.mode.position, *found.laplace, manifest_.basins, settings_, shared_);
+  } else {
+    Emulation made = learnt_about(found);
+    found.emulator = std::move(made.emulator);
+    if (found.emulator) found.known = std::move(made.known);
+  }
   found.has_tried_to_emulate = true;
   keep(found);
   return found;
@@ -226,6 +234,11 @@ void SamplerRun::check_is_where_it_was() const {
   const double is = posteriors_.back()->value(found_->mode.position).log_density;
   if (!(std::abs(is - was) <= kRounding * (1 + std::abs(was))))
     refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
+}
+
+IrregularityPool& SamplerRun::irregularities() {
+  if (!pool_) pool_ = make_pool(table_, kSimulatedSeeds, kIrregularityPhotos);
+  return *pool_;
 }
 
 std::unique_ptr<Posterior> SamplerRun::coarsest() const {
@@ -258,8 +271,8 @@ ModeFound SamplerRun::search() {
   ModeFound found =
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  if (settings_.errors == "widened") {
-    found = widened(*posteriors_.back(), found, settings_, shared_);
+  if (settings_.errors == "averaged") {
+    found = widened(*posteriors_.back(), found, irregularities(), settings_.seed, shared_);
     use(*found.wider);
     show(found.mode.position);
   }
@@ -328,34 +341,48 @@ bool SamplerRun::learn_again(ModeFound& found) {
   return true;
 }
 
+std::unique_ptr<const VettedDensity> SamplerRun::averaged(const ModeFound& found) const {
+  if (!found.average) return nullptr;
+  const Posterior& posterior = *posteriors_.back();
+  return std::make_unique<VettedDensity>(
+      *found.average, std::make_shared<Posterior>(posterior.with(found.wider->of_the_photo())),
+      posterior.informed());
+}
+
 void SamplerRun::sample(ModeFound found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
-  const ControlledDensity target(posterior, shared_.control);
+  const auto average = averaged(found);
+  const ControlledDensity target(average ? static_cast<const LogDensity&>(*average) : posterior,
+                                 shared_.control);
   const auto emulated = [&] {
-    return make_emulated_kernel(*found.emulator, posterior.informed(), target, settings_.path_length);
+    return make_emulated_kernel(average ? average->emulator() : *found.emulator, posterior.informed(), target,
+                                settings_.path_length, average ? 1 : kSoftened);
   };
-  const auto kernel = found.emulator
-                          ? emulated()
-                          : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
-                                        settings_.discrete, settings_.path_length);
+  const bool is_emulated = average || found.emulator;
+  const auto kernel = is_emulated ? emulated()
+                                  : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
+                                                settings_.discrete, settings_.path_length);
   std::unique_ptr<const Kernel> again;  // of the draws, where warm-up taught anything
   const auto kernel_of_draws = [&]() -> const Kernel& {
     if (learn_again(found)) again = emulated();
     return again ? *again : *kernel;
   };
-  const ChainPlan plan{.settings = settings_,
-                       .table = table_,
-                       .target = target,
-                       .kernel = *kernel,
-                       .values = [&](const Position& position) { return posterior.values(position); },
-                       .mode = found.mode,
-                       .laplace = found.laplace,
-                       .metric = metric_in_use(metric_kind(settings_.metric), found.emulator.has_value()),
-                       .directory = directory_,
-                       .run_key = run_key_,
-                       .start = start_of(posterior, settings_, photo_),
-                       .kernel_of_draws = kernel_of_draws};
+  RunSettings drawing = settings_;
+  if (average) drawing.warmup = std::min(*drawing.warmup, kAveragedWarmup);
+  const ChainPlan plan{
+      .settings = drawing,
+      .table = table_,
+      .target = target,
+      .kernel = *kernel,
+      .values = [&](const Position& position) { return posterior.values(position); },
+      .mode = average ? ChainState{found.mode.position, average->evaluate(found.mode.position)} : found.mode,
+      .laplace = found.laplace,
+      .metric = metric_in_use(metric_kind(settings_.metric), is_emulated),
+      .directory = directory_,
+      .run_key = run_key_,
+      .start = start_of(posterior, settings_, photo_),
+      .kernel_of_draws = kernel_of_draws};
   ChainsDone done = run_chains(plan, record_, shared_);
   draws_made_ = done.draws;
   manifest_.seconds.warmup = std::move(done.warmup);

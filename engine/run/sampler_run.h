@@ -66,7 +66,12 @@ class SamplerRun final : public DrawSource {
   void use(const CalibratedErrors& errors);
   void use(const WiderErrors& wider);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
-  Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
+  Image finer_render(const Position& position)
+      const;  ///< at more pixels than the run looks at
+              /// What is drawn from where renders are averaged over irregularities; else nothing.
+  std::unique_ptr<const VettedDensity> averaged(const ModeFound& found) const;
+  /// That simulated photos, and the renders that an average is learnt from, have.
+  IrregularityPool& irregularities();
   void sample(ModeFound found);
   Emulation learnt_about(const ModeFound& found);
   bool learn_again(ModeFound& found);  ///< from warm-up; whether there is anything to
@@ -84,6 +89,7 @@ class SamplerRun final : public DrawSource {
   Manifest manifest_;  ///< the coordinator's, once it runs, and the search's while it waits for it
   std::chrono::steady_clock::time_point keep_next_;
   std::vector<std::unique_ptr<Posterior>> posteriors_;  ///< coarse to fine; the coordinator's as well
+  std::shared_ptr<IrregularityPool> pool_;              ///< see irregularities()
   std::unique_ptr<RunLock> lock_;
   std::int64_t draws_made_ = 0;  ///< after warm-up, all chains
   RunShared shared_;

@@ -16,12 +16,12 @@
 namespace patina {
 namespace {
 
-WiderErrors measure(const Posterior& by_hand, const Position& match, std::uint64_t seed, RunShared& shared) {
+WiderErrors measure(const Posterior& by_hand, const Position& match, IrregularityPool& pool,
+                    std::uint64_t seed, RunShared& shared) {
   const Camera camera{.least_side = 0};  // no predictor looks at these photos
-  const auto pool = make_pool(by_hand.table(), kSimulatedSeeds);
   shared.edit_status([](RunStatus& status) { status.message = "measuring what irregularities do"; });
   const Simulator simulator{.posterior = by_hand,
-                            .pool = *pool,
+                            .pool = pool,
                             .camera = camera,
                             .seed = seed,
                             .threads = hardware_threads(),
@@ -34,10 +34,12 @@ WiderErrors measure(const Posterior& by_hand, const Position& match, std::uint64
 std::vector<OptimizerResult> climbed(const Posterior& posterior, const LogDensity& target,
                                      const std::vector<MapPoint>& basins) {
   constexpr std::size_t kMost = 4;  // those behind were far behind, too
+  OptimizerSettings settings;
+  settings.max_iterations = 30;  // what polynomials are learnt about need not be the very top
   std::vector<OptimizerResult> ends(std::min(basins.size(), kMost));
   parallel_for(
       ends.size(), hardware_threads(),
-      [&](std::size_t i) { ends[i] = maximize(target, posterior.position(basins[i].values)); },
+      [&](std::size_t i) { ends[i] = maximize(target, posterior.position(basins[i].values), settings); },
       [] { use_tensor_threads(1); });
   std::ranges::stable_sort(ends, std::ranges::greater{},
                            [](const OptimizerResult& end) { return end.evaluation.log_density; });
@@ -46,9 +48,9 @@ std::vector<OptimizerResult> climbed(const Posterior& posterior, const LogDensit
 
 }  // namespace
 
-ModeFound widened(const Posterior& by_hand, const ModeFound& found, const RunSettings& settings,
-                  RunShared& shared) {
-  WiderErrors wider = measure(by_hand, found.mode.position, settings.seed, shared);
+ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool,
+                  std::uint64_t seed, RunShared& shared) {
+  WiderErrors wider = measure(by_hand, found.mode.position, pool, seed, shared);
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
   const std::vector<OptimizerResult> basins = climbed(posterior, target, found.basins);

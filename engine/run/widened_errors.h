@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/run/mode_search.h"
-#include "engine/run/run_settings.h"
+
 #include "engine/run/run_shared.h"
 
 namespace patina {
@@ -11,7 +11,7 @@ namespace patina {
 /// @param by_hand  the posterior that was searched
 /// @return         with the wider errors
 /// @throws RunStopped
-ModeFound widened(const Posterior& by_hand, const ModeFound& found, const RunSettings& settings,
-                  RunShared& shared);
+ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool,
+                  std::uint64_t seed, RunShared& shared);
 
 }  // namespace patina

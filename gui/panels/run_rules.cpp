@@ -45,10 +45,10 @@ bool edit_errors(std::string& errors) {
       "paper", "As usual between renders and photos",
       "Set by hand. The best match is searched for, and the render looks most like the photo; the intervals "
       "are as wide as such matches usually need");
-  offer("widened", "Wider by what irregularities do",
+  offer("averaged", "Averaged over irregularities",
         "As usual, and wider where other grain of the same material changes what is compared: a photo's own "
-        "nobody knows. Simulated photos of the best match measure it in a few seconds. Intervals are wider, "
-        "and draws of leather, plaster and wood agree sooner");
+        "nobody knows. Some two thousand renders with grains of their own tell what a match looks like "
+        "whatever its grain. Draws of leather, plaster and wood agree within a minute or two");
   offer(
       "calibrated", "Learnt from simulated photos",
       "A few hundred photos are simulated in place of a search: they tell how much a material's "

@@ -46,6 +46,14 @@ TEST(CalibrationStudy, FindsIntervalsOfCalibratedErrorsAboutRightAndOfATenthOfTh
   EXPECT_LT(narrow.share[2], 0.7);
 }
 
+TEST(CalibrationStudy, IntervalsOfAveragedErrorsHoldTheTruthOftenEnough) {
+  StudySettings averaged = small_study();
+  averaged.errors = "averaged";
+  const Coverage held = coverage(places_of(averaged));
+  ASSERT_GT(held.count, 2 * kPhotos);
+  EXPECT_GT(held.share[2], 0.8);
+}
+
 TEST(CalibrationStudy, APhotoIsTheSameWhoeverWasThereBefore) {
   StudySettings settings = small_study();
   settings.simulations.pilot = 200;

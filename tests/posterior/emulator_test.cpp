@@ -4,20 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "engine/diagnostics/convergence.h"
-#include "engine/material/renderer.h"
+#include "engine/posterior/emulated_moves.h"
 #include "engine/posterior/informed_density.h"
 #include "engine/posterior/known_residuals.h"
-#include "engine/posterior/prior_transform.h"
 #include "engine/sampling/archive.h"
 #include "engine/sampling/function_density.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/sample.h"
+#include "tests/posterior/few_free.h"
 
 namespace patina {
 namespace {
@@ -210,21 +209,6 @@ TEST(InformedDensity, GivesTheOtherCoordinatesTheirPriorAndLeavesLevelsAlone) {
   EXPECT_EQ(Eigen::VectorXd(of_all.gradient(informed)), of_known.gradient);
   EXPECT_EQ(of_all.gradient[1], 1.2);
   EXPECT_EQ(of_all.gradient[3], -2);
-}
-
-/// A material by its mean colours at 32 pixels, given a render of the middle of its prior; all but some
-/// parameters are held there.
-Posterior with_free(const std::string& material, const std::set<std::string>& free) {
-  const Renderer renderer(material, 2, Capture{});
-  const ParameterValues usual = prior_location(renderer.table());
-  PosteriorSettings settings;
-  settings.material = material;
-  settings.resolution = 32;
-  settings.summary = "means";
-  for (std::size_t i = 0; i < usual.continuous.size(); ++i)
-    if (const std::string& name = renderer.table().continuous[i].name; !free.contains(name))
-      settings.fixed[name] = usual.continuous[i];
-  return Posterior(settings, renderer.render(usual, 32));
 }
 
 class EmulatedPosterior : public testing::Test {

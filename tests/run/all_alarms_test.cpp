@@ -37,15 +37,15 @@ TEST(ApartAlarm, SaysThatErrorsLearntFromSimulatedPhotosLetChainsAgree) {
     EXPECT_NE(alarm->sentence.find(part), std::string::npos) << part << " in: " << alarm->sentence;
 }
 
-TEST(ApartAlarm, NamesWiderErrorsWhereTheyAreNotInForce) {
+TEST(ApartAlarm, NamesTheAverageWhereItIsNotInForce) {
   RunSettings settings;
   const RunSummary apart = summary_of(1.3, kApartDraws);
-  EXPECT_NE(apart_alarm(settings, grain_and_rough(), apart)->sentence.find("--errors widened"),
+  EXPECT_NE(apart_alarm(settings, grain_and_rough(), apart)->sentence.find("--errors averaged"),
             std::string::npos);
-  settings.errors = "widened";
+  settings.errors = "averaged";
   const std::optional<Alarm> alarm = apart_alarm(settings, grain_and_rough(), apart);
   ASSERT_TRUE(alarm);
-  EXPECT_EQ(alarm->sentence.find("--errors widened"), std::string::npos);
+  EXPECT_EQ(alarm->sentence.find("--errors averaged"), std::string::npos);
 }
 
 TEST(ApartAlarm, IsNotGivenWhereThereIsNothingToAverageOverOrNothingIsKnownYet) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/posterior/emulated_moves.h"
 #include "engine/run/chain_start.h"
 #include "engine/sampling/function_density.h"
 #include "engine/sampling/sample.h"

@@ -19,7 +19,7 @@ class MeasuredErrors : public RunTest, public testing::WithParamInterface<std::s
     return measured;
   }
 };
-INSTANTIATE_TEST_SUITE_P(WidenedAndCalibrated, MeasuredErrors, testing::Values("widened", "calibrated"));
+INSTANTIATE_TEST_SUITE_P(AveragedAndCalibrated, MeasuredErrors, testing::Values("averaged", "calibrated"));
 
 TEST_P(MeasuredErrors, OfARunThatIsTakenUpAgainLeadToTheDrawsOfAnUndisturbedOne) {
   RunSettings asked = measured();

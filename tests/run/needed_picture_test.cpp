@@ -101,7 +101,7 @@ TEST_F(NeededPictureTest, RefusesWhatCannotBeCompared) {
   EXPECT_NE(refusal().find("the version and the network"), std::string::npos);
   draws.resize(10);
   EXPECT_NE(refusal().find("draw more"), std::string::npos);
-  for (const char* measured : {"widened", "calibrated"}) {
+  for (const char* measured : {"averaged", "calibrated"}) {
     settings.errors = measured;
     EXPECT_NE(refusal().find("--errors paper"), std::string::npos);
   }

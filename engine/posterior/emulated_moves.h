@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+#include "engine/posterior/emulator.h"
+#include "engine/posterior/informed_density.h"
+#include "engine/sampling/kernel.h"
+
+namespace patina {
+
+/// What an emulator takes a target for, and proposals by it.
+class EmulatedProposals {
+ public:
+  /// @param informed  the target's coordinates that are emulated   @param target  outlives this
+  EmulatedProposals(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
+                    const LogDensity& target);
+  EmulatedProposals(const EmulatedProposals&) = delete;  // its density refers to it
+  EmulatedProposals& operator=(const EmulatedProposals&) = delete;
+
+  /// Fifty HMC transitions, which need no render, propose; the target, evaluated once, takes or refuses
+  /// (make_two_stage). Outlived by this.
+  std::unique_ptr<Kernel> far(double path_length) const { return kernel(path_length, kMovesFar); }
+  std::unique_ptr<Kernel> near(double path_length) const { return kernel(path_length, 1); }
+
+ private:
+  static constexpr int kMovesFar = 50;
+  std::unique_ptr<Kernel> kernel(double path_length, int moves) const;
+
+  Emulator emulator_;
+  InformedDensity density_;
+};
+
+/// Moves of a target that need no gradient, along jagged coordinates as well: a random walk and refresh
+/// moves.
+std::unique_ptr<Kernel> make_walk_of(const LogDensity& target);
+
+constexpr double kSoftened = 0.8;
+
+/// Many HMC transitions under the emulator propose, the target, evaluated once, takes or refuses
+/// (make_two_stage); and now and then a walk under the target itself, of all scales where it is
+/// jagged, leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
+/// from their prior.
+/// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
+/// @param power     of the emulated likelihood: below 1, a way leads back from tails that are too heavy; 1
+/// for
+///                  a target that is nowhere above it
+std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
+                                             const std::vector<Eigen::Index>& informed,
+                                             const LogDensity& target, double path_length,
+                                             double power = kSoftened);
+
+}  // namespace patina

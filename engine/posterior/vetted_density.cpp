@@ -1,0 +1,33 @@
+#include "engine/posterior/vetted_density.h"
+
+#include <utility>
+
+#include "engine/posterior/informed_density.h"
+#include "engine/sampling/archive.h"
+
+namespace patina {
+
+void AveragedEmulator::serialise(Archive& archive) { archive(emulator, allowance); }
+
+VettedDensity::VettedDensity(AveragedEmulator average, std::shared_ptr<const LogDensity> by_render,
+                             std::vector<Eigen::Index> informed)
+    : average_(std::move(average)), by_render_(std::move(by_render)), informed_(std::move(informed)) {}
+
+Evaluation VettedDensity::vetted(const Position& position, Evaluation by_render) const {
+  by_render.log_density += average_.allowance;
+  if (!position.continuous.allFinite()) return by_render;
+  Evaluation emulated = InformedDensity(average_.emulator, informed_, *by_render_).evaluate(position);
+  return by_render.log_density < emulated.log_density ? std::move(by_render) : std::move(emulated);
+}
+
+Evaluation VettedDensity::evaluate(const Position& position) const {
+  return vetted(position, by_render_->evaluate(position));
+}
+
+Evaluation VettedDensity::value(const Position& position) const {
+  Evaluation value = vetted(position, by_render_->value(position));
+  value.gradient.resize(0);
+  return value;
+}
+
+}  // namespace patina

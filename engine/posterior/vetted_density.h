@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/posterior/emulator.h"
+#include "engine/sampling/log_density.h"
+
+namespace patina {
+
+class Archive;
+
+/// What polynomials say of renders on average over irregularities, and how much further one render may be
+/// off.
+struct AveragedEmulator {
+  Emulator emulator;     ///< of the informed coordinates
+  double allowance = 0;  ///< nats
+
+  /// Whether it can be of so many coordinates.
+  bool is_of(Eigen::Index dimension) const { return emulator.is_of(dimension) && std::isfinite(allowance); }
+  void serialise(Archive& archive);
+};
+
+/// A posterior averaged over irregularities, which nobody knows of a photo: the mean of a summary is
+/// polynomials' (a synthetic likelihood: Wood 2010; Price, Drovandi, Lee, Nott 2018), so that the luck of one
+/// z, a wrinkle at each place, is no part of it; and a render with one z has a veto where polynomials promise
+/// what is not there,
+///   log p(u) = min(log p_emulated(u), log p_z(u) + allowance)
+/// As it is nowhere above the emulated density, proposals from that leave no place where a chain could stay
+/// (an independence sampler with bounded weights is uniformly ergodic: Mengersen & Tweedie 1996).
+class VettedDensity final : public LogDensity {
+ public:
+  /// @param by_render  the posterior given one z   @param informed  its coordinates that are emulated
+  VettedDensity(AveragedEmulator average, std::shared_ptr<const LogDensity> by_render,
+                std::vector<Eigen::Index> informed);
+
+  Eigen::Index dimension() const override { return by_render_->dimension(); }
+  std::vector<int> discrete_levels() const override { return by_render_->discrete_levels(); }
+  Evaluation evaluate(const Position& position) const override;
+  Evaluation value(const Position& position) const override;
+
+  const Emulator& emulator() const { return average_.emulator; }
+
+ private:
+  Evaluation vetted(const Position& position, Evaluation by_render) const;
+
+  AveragedEmulator average_;
+  std::shared_ptr<const LogDensity> by_render_;
+  std::vector<Eigen::Index> informed_;
+};
+
+}  // namespace patina

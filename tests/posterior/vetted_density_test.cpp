@@ -1,0 +1,142 @@
+#include "engine/posterior/vetted_density.h"
+
+#include <ATen/Parallel.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/diagnostics/convergence.h"
+#include "engine/material/irregularities.h"
+#include "engine/posterior/emulate.h"
+#include "engine/posterior/emulated_moves.h"
+#include "engine/posterior/irregularity_pool.h"
+#include "engine/sampling/function_density.h"
+#include "engine/sampling/map_search.h"
+#include "engine/sampling/rng.h"
+#include "engine/sampling/sample.h"
+#include "tests/posterior/few_free.h"
+
+namespace patina {
+namespace {
+
+/// Polynomials of the standard normal: residuals are zero everywhere.
+Emulator of_the_prior() {
+  Rng rng(3);
+  Eigen::MatrixXd places(2, 60);
+  for (auto place : places.colwise()) place = rng.normals(2);
+  return Emulator({places, Eigen::MatrixXd::Zero(60, 60)});
+}
+
+/// The standard normal with one more coordinate that nothing is known of, and a cliff at u_0 = 1 that the
+/// polynomials know nothing of.
+std::shared_ptr<const LogDensity> with_cliff() {
+  return std::make_shared<FunctionDensity>(3, [](const Position& p) {
+    const Eigen::VectorXd& u = p.continuous;
+    const double beyond = std::max(u[0] - 1, 0.0);
+    Evaluation e{-u.squaredNorm() / 2 - 200 * beyond, -u};
+    if (beyond > 0) e.gradient[0] -= 200;
+    return e;
+  });
+}
+
+VettedDensity vetted(double allowance) { return {{of_the_prior(), allowance}, with_cliff(), {0, 1}}; }
+
+TEST(VettedDensity, IsTheLesserOfWhatPolynomialsSayAndWhatARenderAllows) {
+  const VettedDensity density = vetted(3);
+  Position near{Eigen::Vector3d(0.5, -0.3, 0.8), {}}, far{Eigen::Vector3d(1.5, -0.3, 0.8), {}};
+  EXPECT_NEAR(density.evaluate(near).log_density, -near.continuous.squaredNorm() / 2, 1e-9);
+  EXPECT_NEAR(density.evaluate(far).log_density, with_cliff()->evaluate(far).log_density + 3, 1e-9);
+  for (const Position& at : {near, far}) {
+    const Evaluation here = density.evaluate(at);
+    EXPECT_EQ(density.value(at).log_density, here.log_density);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      constexpr double kStep = 1e-5;
+      Position up = at, down = at;
+      up.continuous[i] += kStep, down.continuous[i] -= kStep;
+      EXPECT_NEAR(here.gradient[i],
+                  (density.value(up).log_density - density.value(down).log_density) / (2 * kStep), 1e-4);
+    }
+  }
+}
+
+TEST(VettedDensity, ItsDrawsAreThoseOfATruncatedNormalWherePolynomialsPromiseWhatIsNotThere) {
+  const VettedDensity density = vetted(1);
+  const auto kernel = make_emulated_kernel(density.emulator(), {0, 1}, density, 1.5, /*power=*/1);
+  SampleSettings settings;
+  settings.warmup = 150;
+  settings.draws = 3000;
+  settings.noise_repeats = 0;
+  const Sample sample = patina::sample(density, *kernel, settings);
+  const Eigen::MatrixXd& x = sample.coordinates[0];
+  // Of N(0, 1) below 1: the render's veto begins 1/200 nats beyond.
+  const double phi = std::exp(-0.5) / std::sqrt(2 * M_PI), share = 0.5 * std::erfc(-1 / std::sqrt(2.0));
+  EXPECT_LT(split_rhat(x), 1.01);
+  EXPECT_NEAR(x.mean(), -phi / share, 4 * mcse_mean(x) + 0.01);
+  EXPECT_LT(x.maxCoeff(), 1.1);
+  EXPECT_GT(bulk_ess(x), 3000) << "of 12000";
+}
+
+TEST(VettedDensity, RefusesWhatIsNotANumber) {
+  Position nowhere{Eigen::Vector3d(NAN, 0, 0), {}};
+  EXPECT_FALSE(vetted(1).value(nowhere).log_density > -1e300);
+}
+
+/// A bumpy surface by Gram matrices, of which other bumps make others, where eight z are all that there are.
+class Average : public testing::Test {
+ protected:
+  std::optional<AveragedEmulator> learnt(EmulateSettings settings = {}) {
+    settings.most = 400;
+    settings.threads = 2;
+    settings.enter_thread = [] { at::set_num_threads(1); };
+    settings.others = &pool_;
+    return emulate_average(posterior_, {{mode_, posterior_.value(mode_)}}, laplace_, settings);
+  }
+
+  /// Log densities with each z, and that of their mean residuals.
+  std::vector<double> each(const Position& at) {
+    std::vector<double> each;
+    for (std::size_t k = 0; k < kMany; ++k) each.push_back(posterior_.with(pool_[k]).value(at).log_density);
+    return each;
+  }
+  double of_the_mean(const Position& at) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(posterior_.photo_summary().size());
+    for (std::size_t k = 0; k < kMany; ++k) sum += posterior_.with(pool_[k]).predicted(at);
+    const Eigen::VectorXd mean =
+        sum / static_cast<double>(kMany) - posterior_.in_errors(posterior_.photo_summary());
+    return -(at.continuous.squaredNorm() + mean.squaredNorm()) / 2;
+  }
+
+  static constexpr std::size_t kMany = 8;
+  Posterior posterior_ = with_free("bump", {"light", "rough"}, "gram");
+  Position mode_{Eigen::VectorXd::Zero(2), {}};
+  Metric laplace_{laplace_covariance(posterior_, mode_)};
+  IrregularityPool pool_{7000, kMany};
+};
+
+TEST_F(Average, IsThatOfAllIrregularitiesAndNoneOfTheirLuck) {
+  const auto average = learnt();
+  ASSERT_TRUE(average);
+  Rng rng(5);
+  double off = 0, luck = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Position at{mode_.continuous + 0.7 * laplace_.colour(rng.normals(2)), {}};
+    const double emulated = average->emulator.evaluate(at).log_density;
+    off += std::abs(emulated - of_the_mean(at));
+    for (const double one : each(at)) luck += std::abs(one - of_the_mean(at)) / kMany;
+  }
+  EXPECT_LT(off, 0.4 * luck);
+}
+
+TEST_F(Average, IsTheSameWhateverTheThreadsDoAndNoneWhereTooFewOfItsDrawsAreWhereItSays) {
+  const auto once = learnt(), again = learnt();
+  ASSERT_TRUE(once && again);
+  EXPECT_EQ(once->emulator.evaluate(mode_).log_density, again->emulator.evaluate(mode_).log_density);
+  EXPECT_EQ(once->allowance, again->allowance);
+  EXPECT_FALSE(learnt({.poor = 1.01}));
+}
+
+}  // namespace
+}  // namespace patina

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/posterior/posterior.h"
+#include "engine/posterior/vetted_density.h"
+#include "engine/run/emulated_proposals.h"
+#include "engine/run/manifest.h"
+#include "engine/run/mode_state.h"
+#include "engine/run/posterior_settings.h"
+#include "engine/run/run_photo.h"
+#include "engine/run/same_run.h"
+#include "tests/run/run_fixture.h"
+
+namespace patina {
+namespace {
+
+class AveragedRun : public RunTest {
+ protected:
+  static RunSettings averaged() {
+    RunSettings asked = settings();
+    asked.errors = "averaged";
+    asked.material = "leather";
+    return asked;
+  }
+
+  /// Of the run in directory().
+  Posterior by_hand() const {
+    const Manifest manifest = read_manifest(directory());
+    return {posterior_settings(manifest.settings, manifest.settings.resolution), read_run_photo(directory())};
+  }
+  ModeFound found() const {
+    const Manifest manifest = read_manifest(directory());
+    return read_mode(directory(), run_key(manifest), by_hand(), manifest.settings).value();
+  }
+};
+
+TEST_F(AveragedRun, KeepsWhatItWidenedByAndItsModeIsUnderIt) {
+  RunSettings asked = averaged();
+  asked.map_only = true;
+  draws_to_the_end(*start(asked));
+  const ModeFound found = this->found();
+  ASSERT_TRUE(found.wider);
+  const Position mode = found.mode.position;
+  const double lp = by_hand().with(*found.wider).value(mode).log_density;
+  EXPECT_NEAR(found.mode.evaluation.log_density, lp, 1e-3 * (1 + std::abs(lp)));
+  EXPECT_GE(lp, by_hand().value(mode).log_density);
+  EXPECT_EQ(read_manifest(directory()).map->lp, found.mode.evaluation.log_density);
+}
+
+TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
+  RunSettings asked = averaged();
+  asked.warmup = 400;
+  const std::vector<Draw> draws = draws_to_the_end(*start(asked));
+  EXPECT_EQ(read_manifest(directory()).kernel, "emulated");
+  const ModeFound found = this->found();
+  ASSERT_TRUE(found.average && found.wider);
+  const Posterior hand = by_hand();
+  const VettedDensity density(
+      *found.average, std::make_shared<Posterior>(hand.with(found.wider->of_the_photo())), hand.informed());
+  int after = 0;
+  for (const Draw& draw : draws) {
+    if (draw.warmup) continue;
+    ++after;
+    const double lp = density.value(hand.position(draw.values)).log_density;
+    EXPECT_NEAR(draw.lp, lp, 1e-3 * (1 + std::abs(lp)));
+  }
+  EXPECT_EQ(after, asked.chains * asked.draws);
+  EXPECT_EQ(std::ssize(draws), asked.chains * (asked.draws + kAveragedWarmup));
+}
+
+TEST_F(AveragedRun, HasNoAverageWhereRendersAreNotEmulated) {
+  RunSettings asked = averaged();
+  asked.kernel = "hmc";
+  draws_to_the_end(*start(asked));
+  const ModeFound found = this->found();
+  EXPECT_FALSE(found.average);
+  EXPECT_TRUE(found.wider) << "the errors are those of the photo's irregularities and the render's";
+  EXPECT_EQ(read_manifest(directory()).kernel, "hmc");
+}
+
+}  // namespace
+}  // namespace patina
