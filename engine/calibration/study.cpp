@@ -104,7 +104,7 @@ Target averaged(const Posterior& by_hand, IrregularityPool& pool, const StudySet
   if (!average) throw UserError("Polynomials do not follow the renders of a photo: leave this material out.");
   auto density = std::make_shared<VettedDensity>(*average, by_render, by_hand.informed());
   auto kernel = make_emulated_kernel(average->emulator, by_hand.informed(), *density, 1.5, /*power=*/1);
-  return {std::move(density), std::move(mode), std::move(laplace), std::move(kernel),
+  return {std::move(density), std::move(mode), average->covariance, std::move(kernel),
           std::min(study.warmup, kAveragedWarmup)};
 }
 

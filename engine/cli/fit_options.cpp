@@ -71,7 +71,9 @@ void FitOptions::add_model(CLI::App& command) {
       "What the network runs on: cpu, or cuda, a graphics card, where Patina was built with a libtorch for "
       "it");
   add(command, "--errors", &RunSettings::errors,
-      "What renders may be off by: paper (set by hand), averaged (and by what a photo's irregularities do, "
+      "What renders may be off by: auto (averaged where other irregularities would change the best match by "
+      "a "
+      "nat or more, else paper), paper (set by hand), averaged (and by what a photo's irregularities do, "
       "renders being averaged over theirs) or calibrated (learnt from simulated photos; only where the photo "
       "is not like these "
       "is the best match searched for)");
@@ -181,7 +183,8 @@ RunSettings FitOptions::frozen_settings() const {
   const std::vector<Draw> draws = run->take_draws();
   const std::map<std::string, double> frozen =
       frozen_by(advise(run->table(), draws, off_values(settings.material)));
-  const NeededPicture needed = picture_ ? needed_picture(settings, run->photo(), draws) : NeededPicture{};
+  const NeededPicture needed =
+      picture_ ? needed_picture(in_force(settings, run->status()), run->photo(), draws) : NeededPicture{};
   if (const CheaperPicture* smaller = needed.cheapest()) {
     settings.resolution = smaller->resolution;
     settings.summary = smaller->summary;

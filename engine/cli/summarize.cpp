@@ -21,7 +21,7 @@ struct SummarizeOptions {
 };
 
 NeededPicture compare_pictures(const DrawSource& run, const std::vector<Draw>& draws) {
-  return needed_picture(run.settings(), run.photo(), draws, kUsualPairs,
+  return needed_picture(in_force(run.settings(), run.status()), run.photo(), draws, kUsualPairs,
                         [](const std::string& doing) { std::fprintf(stderr, "trying %s\n", doing.c_str()); });
 }
 

@@ -85,7 +85,7 @@ class Learner {
     evaluate(draws);
     const std::vector<double> deeper = deeper_than_promised(draws);
     if (share_within(deeper) < settings_.poor) return {};
-    return AveragedEmulator{std::move(emulator_), allowance(deeper)};
+    return AveragedEmulator{std::move(emulator_), allowance(deeper), metric_->covariance()};
   }
 
   Emulator learn_at(const Eigen::MatrixXd& places, const KnownResiduals& known) {

@@ -1,5 +1,8 @@
 #include "engine/posterior/vetted_density.h"
 
+#include <Eigen/Cholesky>
+
+#include <cmath>
 #include <utility>
 
 #include "engine/posterior/informed_density.h"
@@ -7,7 +10,13 @@
 
 namespace patina {
 
-void AveragedEmulator::serialise(Archive& archive) { archive(emulator, allowance); }
+bool AveragedEmulator::is_of(Eigen::Index dimension, Eigen::Index informed) const {
+  return emulator.is_of(informed) && std::isfinite(allowance) && covariance.rows() == dimension &&
+         covariance.cols() == dimension && covariance.allFinite() &&
+         covariance.isApprox(covariance.transpose()) && covariance.llt().info() == Eigen::Success;
+}
+
+void AveragedEmulator::serialise(Archive& archive) { archive(emulator, allowance, covariance); }
 
 VettedDensity::VettedDensity(AveragedEmulator average, std::shared_ptr<const LogDensity> by_render,
                              std::vector<Eigen::Index> informed)

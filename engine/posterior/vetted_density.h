@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -16,11 +15,12 @@ class Archive;
 /// What polynomials say of renders on average over irregularities, and how much further one render may be
 /// off.
 struct AveragedEmulator {
-  Emulator emulator;     ///< of the informed coordinates
-  double allowance = 0;  ///< nats
+  Emulator emulator;           ///< of the informed coordinates
+  double allowance = 0;        ///< nats
+  Eigen::MatrixXd covariance;  ///< of the average, of all coordinates, about: what chains may begin with
 
-  /// Whether it can be of so many coordinates.
-  bool is_of(Eigen::Index dimension) const { return emulator.is_of(dimension) && std::isfinite(allowance); }
+  /// Whether it can be of so many coordinates, and so many of them that are emulated.
+  bool is_of(Eigen::Index dimension, Eigen::Index informed) const;
   void serialise(Archive& archive);
 };
 

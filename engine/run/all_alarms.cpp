@@ -26,7 +26,7 @@ std::optional<Alarm> apart_alarm(const RunSettings& settings, const ParameterTab
     return std::nullopt;
   return Alarm{"apart", "Chains sit in matches of their own (R-hat " + format("%.2f", worst->rhat) + " of " +
                             worst->name + "): places of the texture that look alike each make one. " +
-                            (settings.errors == "paper"
+                            (settings.errors != "averaged"
                                  ? "Averaged over irregularities (--errors averaged) they are one; errors"
                                  : "Errors") +
                             " learnt from simulated photos (--errors calibrated) average over them, too, and "
@@ -37,7 +37,8 @@ Alarms all_alarms(const RunSettings& settings, const ParameterTable& table, cons
                   const RunSummary& summary) {
   Alarms alarms = status.alarms;
   alarms.insert(alarms.end(), summary.alarms.begin(), summary.alarms.end());
-  if (const std::optional<Alarm> apart = apart_alarm(settings, table, summary)) alarms.push_back(*apart);
+  if (const std::optional<Alarm> apart = apart_alarm(in_force(settings, status), table, summary))
+    alarms.push_back(*apart);
   return alarms;
 }
 

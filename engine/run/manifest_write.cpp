@@ -115,6 +115,7 @@ std::string to_json(const Manifest& m) {
        {{"search", m.seconds.search}, {"warmup", m.seconds.warmup}, {"sampling", m.seconds.sampling}}},
       {"evidence", evidence_json(m.evidence)}};
   if (!m.kernel.empty()) json["kernel"] = m.kernel;
+  if (!m.errors.empty()) json["errors"] = m.errors;
   if (m.so_far && !m.map) json["so_far"] = point_json(*m.so_far, m.table);
   // A file name need not be UTF-8; the manifest must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

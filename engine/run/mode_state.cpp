@@ -25,14 +25,12 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     if (!found.errors) found.errors.emplace();
     archive(*found.errors);
   }
-  if (settings.errors == "averaged") {
-    if (!found.wider) found.wider.emplace();
-    archive(*found.wider);
-  }
+  const bool may_average = settings.errors == "averaged" || settings.errors == kAutoErrors;
+  if (may_average) serialise(archive, found.wider);
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   archive(found.has_tried_to_emulate);
   serialise(archive, found.emulator);
-  if (settings.errors == "averaged") serialise(archive, found.average);
+  if (may_average) serialise(archive, found.average);
   archive(found.has_learnt_again);
 }
 
@@ -54,7 +52,7 @@ std::optional<ModeFound> read_mode(const std::filesystem::path& directory, const
         (found.errors && !fits(*found.errors, target)) ||
         (found.wider && !found.wider->are_of(target.photo_summary().size())) ||
         (found.emulator && !found.emulator->is_of(std::ssize(target.informed()))) ||
-        (found.average && !found.average->is_of(std::ssize(target.informed()))))
+        (found.average && !found.average->is_of(target.dimension(), std::ssize(target.informed()))))
       throw ArchiveError("it is of another posterior");
   });
   if (!is_there) return std::nullopt;

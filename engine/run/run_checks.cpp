@@ -36,7 +36,7 @@ void check_name(const char* what, const std::string& name, const std::vector<std
 
 }  // namespace
 
-std::vector<std::string> error_names() { return {"paper", "averaged", "calibrated"}; }
+std::vector<std::string> error_names() { return {kAutoErrors, "paper", "averaged", "calibrated"}; }
 
 void check_resolution(int resolution) {
   check_count("pixels a side (resolution)", resolution, kLeastResolution, kMostResolution);

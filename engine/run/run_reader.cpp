@@ -147,6 +147,7 @@ RunStatus RunReader::status() const {
   status.message = message(status.phase);
   status.search_fraction = manifest_.map ? 1 : 0;
   status.alarms = manifest_.alarms;
+  status.errors = manifest_.errors;
   if (const auto& best = manifest_.map ? manifest_.map : manifest_.so_far ? manifest_.so_far : best_draw_) {
     status.best = best->values;
     status.best_lp = best->lp;

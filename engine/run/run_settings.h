@@ -29,6 +29,8 @@ inline constexpr const char* kAuto = "auto";
 /// comes nearer (resources/fits). Chains of jagged materials agree sooner at fewer.
 inline constexpr int kMatchResolution = 256;
 
+inline constexpr const char* kAutoErrors = "auto";
+
 /// Everything that decides a run, beside the photo's pixels; run.json holds it.
 struct RunSettings {
   std::string material = "bump";
@@ -39,12 +41,14 @@ struct RunSettings {
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
   std::string device = "cpu";         ///< that it runs on (engine/summary/device.h)
-                               /// What renders may be off by, of error_names(): "paper", set by hand;
-                               /// "averaged", and by what a photo's
+                               /// What renders may be off by, of error_names(); Manifest::errors tells what
+                               /// "auto" came to: "averaged" where
+  /// proposals are emulated and irregularities change the best match's log density by a nat or more (sd),
+  /// else "paper". "paper", set by hand; "averaged", and by what a photo's
   /// irregularities do at the best match, renders being averaged over theirs (posterior/vetted_density.h),
   /// or, where proposals are not emulated, by what both do (posterior/wider_errors.h); "calibrated", learnt
   /// from simulated photos (posterior/calibrate.h).
-  std::string errors = "paper";
+  std::string errors = kAutoErrors;
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)

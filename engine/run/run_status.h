@@ -7,6 +7,7 @@
 
 #include "engine/material/parameter.h"
 #include "engine/run/alarm.h"
+#include "engine/run/run_settings.h"
 
 namespace patina {
 
@@ -28,8 +29,15 @@ struct RunStatus {
   std::optional<ParameterValues> best;  ///< the best point found so far by the search; then the MAP
   double best_lp = 0;
   std::vector<ChainStatus> chains;
+  std::string errors;           ///< in force: Manifest::errors
   Alarms alarms;                ///< of the photo and its best match; those of the draws say summarize_draws()
   double draws_per_second = 0;  ///< all chains together, over the last few seconds
 };
+
+/// A run's settings with the errors that are in force, once they are known, in place of "auto".
+inline RunSettings in_force(RunSettings settings, const RunStatus& status) {
+  if (!status.errors.empty()) settings.errors = status.errors;
+  return settings;
+}
 
 }  // namespace patina

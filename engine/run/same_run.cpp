@@ -14,7 +14,7 @@ using SortedJson = nlohmann::json;
 SortedJson identity(const Manifest& manifest) {
   SortedJson json = SortedJson::parse(to_json(manifest));
   for (const char* progress :
-       {"phase", "reason", "map", "so_far", "kernel", "basins", "seconds", "evidence", "photo_fit"})
+       {"phase", "reason", "map", "so_far", "kernel", "errors", "basins", "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
   json["alarms"] = SortedJson::array();

@@ -39,6 +39,8 @@
 namespace patina {
 namespace {
 
+constexpr double kDecidedByLuck = 1;  // nats
+
 void check_free_parameters(const Posterior& posterior) {
   if (posterior.dimension() == 0)
     throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
@@ -153,6 +155,8 @@ void SamplerRun::run_to_the_end() {
   manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
                                 finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
   shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
+  manifest_.errors = is_calibrated() ? settings_.errors : found.wider ? "averaged" : "paper";
+  shared_.edit_status([&](RunStatus& status) { status.errors = manifest_.errors; });
   manifest_.kernel = kernel_in_use(settings_, found.emulator || found.average);
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
@@ -236,6 +240,11 @@ void SamplerRun::check_is_where_it_was() const {
     refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
 }
 
+bool SamplerRun::may_average() const {
+  return settings_.errors == "averaged" ||
+         (settings_.errors == kAutoErrors && emulates_ && has_jagged(*posteriors_.back()));
+}
+
 IrregularityPool& SamplerRun::irregularities() {
   if (!pool_) pool_ = make_pool(table_, kSimulatedSeeds, kIrregularityPhotos);
   return *pool_;
@@ -271,11 +280,12 @@ ModeFound SamplerRun::search() {
   ModeFound found =
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  if (settings_.errors == "averaged") {
-    found = widened(*posteriors_.back(), found, irregularities(), settings_.seed, shared_);
-    use(*found.wider);
-    show(found.mode.position);
-  }
+  if (!may_average()) return found;
+  const double luck = settings_.errors == kAutoErrors ? kDecidedByLuck : 0;
+  found = widened(*posteriors_.back(), found, irregularities(), luck, settings_.seed, shared_);
+  if (!found.wider) return found;
+  use(*found.wider);
+  show(found.mode.position);
   return found;
 }
 
@@ -377,7 +387,7 @@ void SamplerRun::sample(ModeFound found) {
       .kernel = *kernel,
       .values = [&](const Position& position) { return posterior.values(position); },
       .mode = average ? ChainState{found.mode.position, average->evaluate(found.mode.position)} : found.mode,
-      .laplace = found.laplace,
+      .laplace = average ? std::make_shared<const Metric>(found.average->covariance) : found.laplace,
       .metric = metric_in_use(metric_kind(settings_.metric), is_emulated),
       .directory = directory_,
       .run_key = run_key_,

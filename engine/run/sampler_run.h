@@ -70,6 +70,7 @@ class SamplerRun final : public DrawSource {
       const;  ///< at more pixels than the run looks at
               /// What is drawn from where renders are averaged over irregularities; else nothing.
   std::unique_ptr<const VettedDensity> averaged(const ModeFound& found) const;
+  bool may_average() const;  ///< as far as is known before irregularities are measured
   /// That simulated photos, and the renders that an average is learnt from, have.
   IrregularityPool& irregularities();
   void sample(ModeFound found);

@@ -48,9 +48,10 @@ std::vector<OptimizerResult> climbed(const Posterior& posterior, const LogDensit
 
 }  // namespace
 
-ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool,
+ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool, double luck,
                   std::uint64_t seed, RunShared& shared) {
   WiderErrors wider = measure(by_hand, found.mode.position, pool, seed, shared);
+  if (wider.luck < luck) return found;
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
   const std::vector<OptimizerResult> basins = climbed(posterior, target, found.basins);

@@ -9,9 +9,10 @@ namespace patina {
 /// What a search found by hand-set errors, found again by errors that are wider by what irregularities do at
 /// its best match: errors_of_irregularities(), and climbs on from its basins under them. On all processors.
 /// @param by_hand  the posterior that was searched
+/// @param luck     nats; where irregularities do less (WiderErrors::luck), what was found is left as it is
 /// @return         with the wider errors
 /// @throws RunStopped
-ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool,
+ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool, double luck,
                   std::uint64_t seed, RunShared& shared);
 
 }  // namespace patina

@@ -53,7 +53,8 @@ void CostPanel::draw(const PanelContext& context) {
   constexpr const char* kName = "How fast, how sure##costs";
   if (!begin_box(kName, open_, {52, 44})) return;
   const Session& session = context.session;
-  const RunSettings& settings = session.has_run() ? session.run().settings() : session.settings();
+  const RunSettings settings =
+      session.has_run() ? in_force(session.run().settings(), session.status()) : session.settings();
   follow(settings.material);
   heading_text(context, "How fast, how sure");
   ImGui::BeginChild("chart", {0, -ImGui::GetFrameHeightWithSpacing()});

@@ -41,6 +41,8 @@ bool edit_errors(std::string& errors) {
     if (ImGui::RadioButton(label, errors == name)) errors = name;
     tooltip(what);
   };
+  offer("auto", "As the photo needs",
+        "Averaged over irregularities where the best match is one of its grain's luck, else as usual");
   offer(
       "paper", "As usual between renders and photos",
       "Set by hand. The best match is searched for, and the render looks most like the photo; the intervals "

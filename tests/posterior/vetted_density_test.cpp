@@ -42,7 +42,7 @@ std::shared_ptr<const LogDensity> with_cliff() {
   });
 }
 
-VettedDensity vetted(double allowance) { return {{of_the_prior(), allowance}, with_cliff(), {0, 1}}; }
+VettedDensity vetted(double allowance) { return {{of_the_prior(), allowance, {}}, with_cliff(), {0, 1}}; }
 
 TEST(VettedDensity, IsTheLesserOfWhatPolynomialsSayAndWhatARenderAllows) {
   const VettedDensity density = vetted(3);
@@ -135,6 +135,8 @@ TEST_F(Average, IsTheSameWhateverTheThreadsDoAndNoneWhereTooFewOfItsDrawsAreWher
   ASSERT_TRUE(once && again);
   EXPECT_EQ(once->emulator.evaluate(mode_).log_density, again->emulator.evaluate(mode_).log_density);
   EXPECT_EQ(once->allowance, again->allowance);
+  EXPECT_TRUE(once->is_of(2, 2));
+  EXPECT_FALSE(once->is_of(3, 2));
   EXPECT_FALSE(learnt({.poor = 1.01}));
 }
 

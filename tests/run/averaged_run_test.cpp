@@ -71,6 +71,29 @@ TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
   EXPECT_EQ(std::ssize(draws), asked.chains * (asked.draws + kAveragedWarmup));
 }
 
+TEST_F(AveragedRun, IsWhatAutoComesToWhereIrregularitiesDecideTheMatch) {
+  RunSettings asked = averaged();
+  asked.errors = kAutoErrors;
+  asked.map_only = true;
+  const auto run = start(asked);
+  draws_to_the_end(*run);
+  const Manifest manifest = read_manifest(directory());
+  const ModeFound found = this->found();
+  EXPECT_EQ(manifest.settings.errors, kAutoErrors);
+  EXPECT_EQ(manifest.errors, found.wider ? "averaged" : "paper");
+  EXPECT_EQ(run->status().errors, manifest.errors);
+  EXPECT_EQ(open_run(directory())->status().errors, manifest.errors);
+  if (found.wider) EXPECT_GE(found.wider->luck, 1);
+}
+
+TEST_F(AveragedRun, IsNotWhatAutoComesToWhereNothingIsJagged) {
+  RunSettings asked = settings();
+  ASSERT_EQ(asked.errors, kAutoErrors);
+  asked.map_only = true;
+  draws_to_the_end(*start(asked));
+  EXPECT_EQ(read_manifest(directory()).errors, "paper");
+}
+
 TEST_F(AveragedRun, HasNoAverageWhereRendersAreNotEmulated) {
   RunSettings asked = averaged();
   asked.kernel = "hmc";
