@@ -132,8 +132,8 @@ RunSettings settings(const AnyJson& json) {
   s.kernel = text(json, "kernel");
   s.precision = one_of(json, "precision", precision_names(), s.precision);
   s.device = one_of(json, "device", device_names(), s.device);
-  s.errors = one_of(json, "errors", error_names(), "paper");     // earlier runs know no others
-  if (json.contains("metric")) s.metric = text(json, "metric");  // runs of the first version have none
+  s.errors = one_of(json, "errors", asked_error_names(), "paper");  // earlier runs know no others
+  if (json.contains("metric")) s.metric = text(json, "metric");     // runs of the first version have none
   if (json.contains("discrete")) s.discrete = text(json, "discrete");
   s.chains = integer(json, "chains", 1, 10'000);
   s.warmup = integer(json, "warmup", 0);
@@ -240,7 +240,7 @@ Manifest manifest(const AnyJson& json) {
   m.reason = text(json, "reason");
   if (const AnyJson& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
   if (json.contains("kernel")) m.kernel = text(json, "kernel");
-  m.errors = one_of(json, "errors", error_names(), m.settings.errors == kAutoErrors ? "" : m.settings.errors);
+  m.errors = one_of(json, "errors", error_names(), "");
   if (json.contains("so_far")) m.so_far = map_point(json["so_far"], m.table);
   if (json.contains("basins"))
     for (const AnyJson& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));

@@ -36,7 +36,13 @@ void check_name(const char* what, const std::string& name, const std::vector<std
 
 }  // namespace
 
-std::vector<std::string> error_names() { return {kAutoErrors, "paper", "averaged", "calibrated"}; }
+std::vector<std::string> error_names() { return {"paper", "averaged", "calibrated"}; }
+
+std::vector<std::string> asked_error_names() {
+  std::vector<std::string> names = error_names();
+  names.insert(names.begin(), kAutoErrors);
+  return names;
+}
 
 void check_resolution(int resolution) {
   check_count("pixels a side (resolution)", resolution, kLeastResolution, kMostResolution);
@@ -67,7 +73,7 @@ void check_settings(const RunSettings& settings, const Photo& photo) {
                     ", or 0 for chains without a ladder.");
   if (!(settings.path_length > 0 && settings.path_length <= 100))
     throw UserError("The length of a path must be above 0 and at most 100 standard deviations.");
-  check_name("error model", settings.errors, error_names());
+  check_name("error model", settings.errors, asked_error_names());
   check_name("precision", settings.precision, precision_names());
   check_name("device", settings.device, device_names());
   check_at_hand(device_named(settings.device));

@@ -21,8 +21,9 @@ void check_resolution(int resolution);
 /// @throws UserError unless its lengths are from 0.1 to 10000 cm
 void check_capture(const Capture& capture);
 
-/// The settings for RunSettings::errors.
+/// What errors can be in force, and what can be asked for: "auto", too.
 std::vector<std::string> error_names();
+std::vector<std::string> asked_error_names();
 
 /// Counts, geometry and kernel; what the posterior's construction checks is left to it.
 /// @throws UserError for the first setting that cannot be

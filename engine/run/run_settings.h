@@ -41,13 +41,13 @@ struct RunSettings {
   std::filesystem::path network;      ///< empty: the bundled one
   std::string precision = "float32";  ///< of its convolutions (engine/summary/precision.h)
   std::string device = "cpu";         ///< that it runs on (engine/summary/device.h)
-                               /// What renders may be off by, of error_names(); Manifest::errors tells what
-                               /// "auto" came to: "averaged" where
-  /// proposals are emulated and irregularities change the best match's log density by a nat or more (sd),
-  /// else "paper". "paper", set by hand; "averaged", and by what a photo's
-  /// irregularities do at the best match, renders being averaged over theirs (posterior/vetted_density.h),
-  /// or, where proposals are not emulated, by what both do (posterior/wider_errors.h); "calibrated", learnt
-  /// from simulated photos (posterior/calibrate.h).
+
+  /// What renders may be off by, of asked_error_names(). "paper": set by hand. "averaged": and by what a
+  /// photo's irregularities do at the best match, renders being averaged over theirs
+  /// (posterior/vetted_density.h), or, where proposals are not emulated, by what both do
+  /// (posterior/wider_errors.h). "calibrated": learnt from simulated photos (posterior/calibrate.h). "auto":
+  /// averaged where proposals are emulated and other irregularities change the log density of the best match
+  /// by a nat or more (sd), else paper; Manifest::errors tells which.
   std::string errors = kAutoErrors;
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()

@@ -66,9 +66,9 @@ class SamplerRun final : public DrawSource {
   void use(const CalibratedErrors& errors);
   void use(const WiderErrors& wider);
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
-  Image finer_render(const Position& position)
-      const;  ///< at more pixels than the run looks at
-              /// What is drawn from where renders are averaged over irregularities; else nothing.
+  Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
+
+  /// What is drawn from where renders are averaged over irregularities; else nothing.
   std::unique_ptr<const VettedDensity> averaged(const ModeFound& found) const;
   bool may_average() const;  ///< as far as is known before irregularities are measured
   /// That simulated photos, and the renders that an average is learnt from, have.

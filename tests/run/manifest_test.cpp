@@ -23,6 +23,7 @@ class ManifestTest : public FolderTest {
     m.settings.metric = "diagonal";
     m.settings.discrete = "single";
     m.settings.errors = "calibrated";
+    m.errors = "calibrated";
     m.settings.precision = "bfloat16";
     m.settings.device = "cuda";
     m.settings.temper = 8;
