@@ -235,9 +235,9 @@ bool Session::can_go_on() const {
 void Session::go_on() {
   assert(can_go_on());
   RunSettings settings = source_->settings();
-  const bool some_left = std::ranges::any_of(status_.chains, [&](const ChainStatus& chain) {
-    return chain.iteration < settings.warmup.value() + settings.draws;
-  });
+  const int warmup = in_force(settings, status_).warmup.value();
+  const bool some_left = std::ranges::any_of(
+      status_.chains, [&](const ChainStatus& chain) { return chain.iteration < warmup + settings.draws; });
   if (!some_left && !status_.chains.empty()) settings.draws *= 2;
   settings.stop.ess = settings.stop.rhat = 0;
   const std::optional<PhotoCrop> crop = run_crop_;

@@ -103,7 +103,7 @@ Target averaged(const Posterior& by_hand, IrregularityPool& pool, const StudySet
       *by_render, {{mode, by_render->value(mode)}}, Metric(laplace), {.seed = seed, .others = &pool});
   if (!average) throw UserError("Polynomials do not follow the renders of a photo: leave this material out.");
   auto density = std::make_shared<VettedDensity>(*average, by_render, by_hand.informed());
-  auto kernel = make_emulated_kernel(average->emulator, by_hand.informed(), *density, 1.5, /*power=*/1);
+  auto kernel = make_emulated_kernel(*density, RunSettings().path_length);
   return {std::move(density), std::move(mode), average->covariance, std::move(kernel),
           std::min(study.warmup, kAveragedWarmup)};
 }

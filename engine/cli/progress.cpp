@@ -81,16 +81,17 @@ void Progress::show(const RunStatus& status) {
   if (terminal_) return redraw(status);
   if (!new_phase && now < next_) return;
   next_ = now + std::chrono::seconds(10);
-  line(progress_line(settings_, status, elapsed()));
+  line(progress_line(in_force(settings_, status), status, elapsed()));
 }
 
 void Progress::redraw(const RunStatus& status) {
-  const auto filled =
-      static_cast<int>(std::lround(kBarWidth * progress_fraction(settings_, status, elapsed())));
+  const auto filled = static_cast<int>(
+      std::lround(kBarWidth * progress_fraction(in_force(settings_, status), status, elapsed())));
   std::string bar(static_cast<std::size_t>(std::clamp(filled, 0, kBarWidth)), '#');
   bar.resize(kBarWidth, '.');
   // Carriage return, then erase to the end of the line.
-  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), progress_line(settings_, status, elapsed()).c_str());
+  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(),
+               progress_line(in_force(settings_, status), status, elapsed()).c_str());
   bar_is_drawn_ = true;
 }
 

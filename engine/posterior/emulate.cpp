@@ -25,7 +25,7 @@ namespace {
 // Apart from the search's and the chains'; what is learnt again sees other places of textures and levels.
 constexpr std::uint64_t kEmulatorStream = 0x656d'756c, kAgainStream = kEmulatorStream + 1;
 
-constexpr std::uint64_t kPoolSeeds = 100'000'000;
+constexpr std::uint64_t kPoolSeeds = 100'000'000;  // of irregularities, where each evaluation has new ones
 
 constexpr double kPathLength = 1.5;
 constexpr double kWideBeta = 0.5;  // inverse temperature of what spreads further than the posterior
@@ -62,8 +62,21 @@ class Learner {
   }
 
   Emulation learn() {
+    evaluate(about_the_mode());
+    fit();
     Emulation result;
-    result.taken = learn_beside_walkers();
+    std::vector<double> taken;  // by round
+    for (;;) {
+      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
+      if (known_.count() + more > most_) break;
+      const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
+      evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers, kWideBeta));
+      taken.push_back(walk(steps));
+      fit();
+      const auto lately = std::span(taken).last((taken.size() + 1) / 2);  // a round is a few proposals
+      result.taken = std::accumulate(lately.begin(), lately.end(), 0.0) / static_cast<double>(lately.size());
+      if (taken.size() > 1 && std::ranges::min(std::span(taken).last(2)) >= settings_.good) break;
+    }
     if (result.taken >= settings_.poor) result.emulator = std::move(emulator_);
     result.known = std::move(known_);
     return result;
@@ -81,7 +94,7 @@ class Learner {
       if (known_.count() + more + kChecked > most) break;
       if (share_within(learn_from_draws(more)) >= settings_.good) break;
     }
-    const Eigen::MatrixXd draws = softened_draws(kChecked, 1);
+    const Eigen::MatrixXd draws = softened_draws(kChecked, 1);  // metric_ is theirs then
     evaluate(draws);
     const std::vector<double> deeper = deeper_than_promised(draws);
     if (share_within(deeper) < settings_.poor) return {};
@@ -100,26 +113,6 @@ class Learner {
  private:
   static constexpr Eigen::Index kLeastRound = 60, kFewest = 1200;  // evaluations
   static constexpr int kRoundsAgain = 4;
-
-  /// @return the share of proposals that walkers took lately
-  double learn_beside_walkers() {
-    evaluate(about_the_mode());
-    fit();
-    double result = 0;
-    std::vector<double> taken;  // by round
-    for (;;) {
-      const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 8);
-      if (known_.count() + more > most_) break;
-      const int steps = static_cast<int>(2 * more / 3 / kEmulatorWalkers);
-      evaluate(softened_draws(static_cast<int>(more) - steps * kEmulatorWalkers, kWideBeta));
-      taken.push_back(walk(steps));
-      fit();
-      const auto lately = std::span(taken).last((taken.size() + 1) / 2);  // a round is a few proposals
-      result = std::accumulate(lately.begin(), lately.end(), 0.0) / static_cast<double>(lately.size());
-      if (taken.size() > 1 && std::ranges::min(std::span(taken).last(2)) >= settings_.good) break;
-    }
-    return result;
-  }
 
   /// @return deeper_than_promised() by what it was learnt from before
   std::vector<double> learn_from_draws(Eigen::Index count) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/posterior/vetted_density.h"
 #include "engine/sampling/kernels.h"
 
 namespace patina {
@@ -40,8 +41,8 @@ std::unique_ptr<Kernel> way_out_of(const LogDensity& target) {
 class EmulatedKernel final : public Kernel {
  public:
   EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
-                 const LogDensity& target, double path_length, double power)
-      : proposals_(emulator.softened(power), informed, target),
+                 const LogDensity& target, double path_length)
+      : proposals_(emulator, informed, target),
         kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target),
                              has_jagged(target) ? kProposingIfJagged : kProposing)) {}
 
@@ -81,8 +82,12 @@ std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {
 
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
-                                             const LogDensity& target, double path_length, double power) {
-  return std::make_unique<EmulatedKernel>(emulator, informed, target, path_length, power);
+                                             const LogDensity& target, double path_length) {
+  return std::make_unique<EmulatedKernel>(emulator.softened(kSoftened), informed, target, path_length);
+}
+
+std::unique_ptr<Kernel> make_emulated_kernel(const VettedDensity& target, double path_length) {
+  return std::make_unique<EmulatedKernel>(target.emulator(), target.informed(), target, path_length);
 }
 
 }  // namespace patina

@@ -11,6 +11,8 @@
 
 namespace patina {
 
+class VettedDensity;
+
 /// What an emulator takes a target for, and proposals by it.
 class EmulatedProposals {
  public:
@@ -37,19 +39,21 @@ class EmulatedProposals {
 /// moves.
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target);
 
+/// Power of the emulated likelihood in proposals: from tails that are too heavy a way leads back.
 constexpr double kSoftened = 0.8;
 
-/// Many HMC transitions under the emulator propose, the target, evaluated once, takes or refuses
-/// (make_two_stage); and now and then a walk under the target itself, of all scales where it is
+/// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
+/// refuses (make_two_stage); and now and then a walk under the target itself, of all scales where it is
 /// jagged, leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
 /// from their prior.
 /// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
-/// @param power     of the emulated likelihood: below 1, a way leads back from tails that are too heavy; 1
-/// for
-///                  a target that is nowhere above it
+
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
-                                             const LogDensity& target, double path_length,
-                                             double power = kSoftened);
+                                             const LogDensity& target, double path_length);
+
+/// The same of an average over irregularities, nothing softened: it is nowhere above its emulator.
+/// @param target  outlives the kernel
+std::unique_ptr<Kernel> make_emulated_kernel(const VettedDensity& target, double path_length);
 
 }  // namespace patina

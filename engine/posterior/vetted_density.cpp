@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/posterior/informed_density.h"
 #include "engine/sampling/archive.h"
 
 namespace patina {
@@ -20,12 +19,15 @@ void AveragedEmulator::serialise(Archive& archive) { archive(emulator, allowance
 
 VettedDensity::VettedDensity(AveragedEmulator average, std::shared_ptr<const LogDensity> by_render,
                              std::vector<Eigen::Index> informed)
-    : average_(std::move(average)), by_render_(std::move(by_render)), informed_(std::move(informed)) {}
+    : average_(std::move(average)),
+      by_render_(std::move(by_render)),
+      informed_(std::move(informed)),
+      emulated_(average_.emulator, informed_, *by_render_) {}
 
 Evaluation VettedDensity::vetted(const Position& position, Evaluation by_render) const {
   by_render.log_density += average_.allowance;
   if (!position.continuous.allFinite()) return by_render;
-  Evaluation emulated = InformedDensity(average_.emulator, informed_, *by_render_).evaluate(position);
+  Evaluation emulated = emulated_.evaluate(position);
   return by_render.log_density < emulated.log_density ? std::move(by_render) : std::move(emulated);
 }
 

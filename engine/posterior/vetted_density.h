@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/posterior/emulator.h"
+#include "engine/posterior/informed_density.h"
 #include "engine/sampling/log_density.h"
 
 namespace patina {
@@ -42,7 +43,11 @@ class VettedDensity final : public LogDensity {
   Evaluation evaluate(const Position& position) const override;
   Evaluation value(const Position& position) const override;
 
+  VettedDensity(const VettedDensity&) = delete;  // a part of it refers to another
+  VettedDensity& operator=(const VettedDensity&) = delete;
+
   const Emulator& emulator() const { return average_.emulator; }
+  const std::vector<Eigen::Index>& informed() const { return informed_; }
 
  private:
   Evaluation vetted(const Position& position, Evaluation by_render) const;
@@ -50,6 +55,7 @@ class VettedDensity final : public LogDensity {
   AveragedEmulator average_;
   std::shared_ptr<const LogDensity> by_render_;
   std::vector<Eigen::Index> informed_;
+  InformedDensity emulated_;
 };
 
 }  // namespace patina

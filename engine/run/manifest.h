@@ -43,7 +43,8 @@ struct Manifest {
   RunPhase phase = RunPhase::starting;  ///< starting, searching, sampling (warm-up included) or how it ended
   std::string reason;                   ///< one sentence, once it ended
   std::string kernel;                   ///< that draws; empty before there are chains
-  std::string errors;  ///< in force, of error_names() without "auto"; empty before they are known
+  std::string errors;         ///< in force, of error_names() without "auto"; empty before they are known
+  std::optional<int> warmup;  ///< iterations of each chain, likewise
   std::optional<PhotoFit> photo_fit;  ///< of calibrated errors, once they are
   std::optional<MapPoint> map;
   std::optional<MapPoint> so_far;  ///< the best that the search has met, as long as there is no map

@@ -241,6 +241,7 @@ Manifest manifest(const AnyJson& json) {
   if (const AnyJson& map = field(json, "map"); !map.is_null()) m.map = map_point(map, m.table);
   if (json.contains("kernel")) m.kernel = text(json, "kernel");
   m.errors = one_of(json, "errors", error_names(), "");
+  if (json.contains("warmup")) m.warmup = integer(json, "warmup", 0);
   if (json.contains("so_far")) m.so_far = map_point(json["so_far"], m.table);
   if (json.contains("basins"))
     for (const AnyJson& basin : list(json, "basins")) m.basins.push_back(map_point(basin, m.table));

@@ -116,6 +116,7 @@ std::string to_json(const Manifest& m) {
       {"evidence", evidence_json(m.evidence)}};
   if (!m.kernel.empty()) json["kernel"] = m.kernel;
   if (!m.errors.empty()) json["errors"] = m.errors;
+  if (m.warmup) json["warmup"] = *m.warmup;
   if (m.so_far && !m.map) json["so_far"] = point_json(*m.so_far, m.table);
   // A file name need not be UTF-8; the manifest must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -25,7 +25,7 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     if (!found.errors) found.errors.emplace();
     archive(*found.errors);
   }
-  const bool may_average = settings.errors == "averaged" || settings.errors == kAutoErrors;
+  const bool may_average = settings.errors == "averaged" || settings.errors == kAuto;
   if (may_average) serialise(archive, found.wider);
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   archive(found.has_tried_to_emulate);

@@ -40,7 +40,7 @@ std::vector<std::string> error_names() { return {"paper", "averaged", "calibrate
 
 std::vector<std::string> asked_error_names() {
   std::vector<std::string> names = error_names();
-  names.insert(names.begin(), kAutoErrors);
+  names.insert(names.begin(), kAuto);
   return names;
 }
 

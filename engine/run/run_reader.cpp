@@ -148,6 +148,7 @@ RunStatus RunReader::status() const {
   status.search_fraction = manifest_.map ? 1 : 0;
   status.alarms = manifest_.alarms;
   status.errors = manifest_.errors;
+  status.warmup = manifest_.warmup;
   if (const auto& best = manifest_.map ? manifest_.map : manifest_.so_far ? manifest_.so_far : best_draw_) {
     status.best = best->values;
     status.best_lp = best->lp;

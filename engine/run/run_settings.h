@@ -22,14 +22,12 @@ struct StopRules {
 
 /// The kernel of a run whose proposals come from an emulator (engine/posterior/emulator.h).
 inline constexpr const char* kEmulated = "emulated";
-/// That one where it can be, hmc elsewhere.
+/// Of kernels: that one where it can be, hmc elsewhere; of errors: see RunSettings::errors.
 inline constexpr const char* kAuto = "auto";
 
 /// Pixels a side where nothing but the best match is asked for: no chains pay for them, and what is fine
 /// comes nearer (resources/fits). Chains of jagged materials agree sooner at fewer.
 inline constexpr int kMatchResolution = 256;
-
-inline constexpr const char* kAutoErrors = "auto";
 
 /// Everything that decides a run, beside the photo's pixels; run.json holds it.
 struct RunSettings {
@@ -48,13 +46,13 @@ struct RunSettings {
   /// (posterior/wider_errors.h). "calibrated": learnt from simulated photos (posterior/calibrate.h). "auto":
   /// averaged where proposals are emulated and other irregularities change the log density of the best match
   /// by a nat or more (sd), else paper; Manifest::errors tells which.
-  std::string errors = kAutoErrors;
+  std::string errors = kAuto;
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number in use, of which an
-  /// average over irregularities takes kAveragedWarmup at most.
+  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number. An average over
+  /// irregularities takes kAveragedWarmup at most: Manifest::warmup tells.
   std::optional<int> warmup;
   int draws = 10000;   ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;  ///< probability of a continuous move, where there are discrete parameters

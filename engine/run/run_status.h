@@ -29,14 +29,16 @@ struct RunStatus {
   std::optional<ParameterValues> best;  ///< the best point found so far by the search; then the MAP
   double best_lp = 0;
   std::vector<ChainStatus> chains;
-  std::string errors;           ///< in force: Manifest::errors
+  std::string errors;           ///< in force, once they are known: Manifest::errors
+  std::optional<int> warmup;    ///< likewise
   Alarms alarms;                ///< of the photo and its best match; those of the draws say summarize_draws()
   double draws_per_second = 0;  ///< all chains together, over the last few seconds
 };
 
-/// A run's settings with the errors that are in force, once they are known, in place of "auto".
+/// A run's settings with the errors and the warm-up that are in force, once they are known.
 inline RunSettings in_force(RunSettings settings, const RunStatus& status) {
   if (!status.errors.empty()) settings.errors = status.errors;
+  if (status.warmup) settings.warmup = status.warmup;
   return settings;
 }
 

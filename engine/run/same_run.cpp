@@ -13,8 +13,8 @@ using SortedJson = nlohmann::json;
 /// What decides the draws, as a flat object: {"/settings/kernel": "hmc", ...}.
 SortedJson identity(const Manifest& manifest) {
   SortedJson json = SortedJson::parse(to_json(manifest));
-  for (const char* progress :
-       {"phase", "reason", "map", "so_far", "kernel", "errors", "basins", "seconds", "evidence", "photo_fit"})
+  for (const char* progress : {"phase", "reason", "map", "so_far", "kernel", "errors", "warmup", "basins",
+                               "seconds", "evidence", "photo_fit"})
     json.erase(progress);
   json["photo"].erase("warnings");
   json["alarms"] = SortedJson::array();

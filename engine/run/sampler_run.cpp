@@ -11,7 +11,6 @@
 #include "engine/io/image_file.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
-#include "engine/posterior/emulated_moves.h"
 #include "engine/posterior/irregularity_pool.h"
 #include "engine/run/asked_start.h"
 #include "engine/run/controlled_density.h"
@@ -27,6 +26,7 @@
 #include "engine/run/run_checks.h"
 #include "engine/run/run_files.h"
 #include "engine/run/run_photo.h"
+#include "engine/run/run_target.h"
 #include "engine/run/same_run.h"
 #include "engine/run/state_file.h"
 #include "engine/run/stop_watcher.h"
@@ -39,7 +39,10 @@
 namespace patina {
 namespace {
 
-constexpr double kDecidedByLuck = 1;  // nats
+/// Nats, of the best match's log density over irregularities: from there on they are averaged over.
+constexpr double kDecidedByLuck = 1;
+
+bool is_emulated(const ModeFound& found) { return found.emulator || found.average; }
 
 void check_free_parameters(const Posterior& posterior) {
   if (posterior.dimension() == 0)
@@ -154,10 +157,14 @@ void SamplerRun::run_to_the_end() {
   ModeFound found = find_or_recall();
   manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
                                 finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
-  shared_.edit_status([&](RunStatus& status) { status.alarms = manifest_.alarms; });
+  manifest_.kernel = kernel_in_use(settings_, is_emulated(found));
   manifest_.errors = is_calibrated() ? settings_.errors : found.wider ? "averaged" : "paper";
-  shared_.edit_status([&](RunStatus& status) { status.errors = manifest_.errors; });
-  manifest_.kernel = kernel_in_use(settings_, found.emulator || found.average);
+  manifest_.warmup = found.average ? std::min(*settings_.warmup, kAveragedWarmup) : *settings_.warmup;
+  shared_.edit_status([&](RunStatus& status) {
+    status.alarms = manifest_.alarms;
+    status.errors = manifest_.errors;
+    status.warmup = manifest_.warmup;
+  });
   manifest_.phase = RunPhase::sampling;
   shared_.write_or_pause([&] { write_manifest(); });
   if (!settings_.map_only) sample(std::move(found));
@@ -242,7 +249,7 @@ void SamplerRun::check_is_where_it_was() const {
 
 bool SamplerRun::may_average() const {
   return settings_.errors == "averaged" ||
-         (settings_.errors == kAutoErrors && emulates_ && has_jagged(*posteriors_.back()));
+         (settings_.errors == kAuto && emulates_ && has_jagged(*posteriors_.back()));
 }
 
 IrregularityPool& SamplerRun::irregularities() {
@@ -281,7 +288,7 @@ ModeFound SamplerRun::search() {
       find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   if (!may_average()) return found;
-  const double luck = settings_.errors == kAutoErrors ? kDecidedByLuck : 0;
+  const double luck = settings_.errors == kAuto ? kDecidedByLuck : 0;
   found = widened(*posteriors_.back(), found, irregularities(), luck, settings_.seed, shared_);
   if (!found.wider) return found;
   use(*found.wider);
@@ -351,48 +358,30 @@ bool SamplerRun::learn_again(ModeFound& found) {
   return true;
 }
 
-std::unique_ptr<const VettedDensity> SamplerRun::averaged(const ModeFound& found) const {
-  if (!found.average) return nullptr;
-  const Posterior& posterior = *posteriors_.back();
-  return std::make_unique<VettedDensity>(
-      *found.average, std::make_shared<Posterior>(posterior.with(found.wider->of_the_photo())),
-      posterior.informed());
-}
-
 void SamplerRun::sample(ModeFound found) {
   enter(RunPhase::warming_up, "warming up");
   const Posterior& posterior = *posteriors_.back();
-  const auto average = averaged(found);
-  const ControlledDensity target(average ? static_cast<const LogDensity&>(*average) : posterior,
-                                 shared_.control);
-  const auto emulated = [&] {
-    return make_emulated_kernel(average ? average->emulator() : *found.emulator, posterior.informed(), target,
-                                settings_.path_length, average ? 1 : kSoftened);
-  };
-  const bool is_emulated = average || found.emulator;
-  const auto kernel = is_emulated ? emulated()
-                                  : make_kernel(manifest_.kernel, target, settings_.alpha, *settings_.refresh,
-                                                settings_.discrete, settings_.path_length);
+  const RunTarget target(posterior, found, settings_, shared_.control);
+  const auto kernel = target.kernel();
   std::unique_ptr<const Kernel> again;  // of the draws, where warm-up taught anything
   const auto kernel_of_draws = [&]() -> const Kernel& {
-    if (learn_again(found)) again = emulated();
+    if (learn_again(found)) again = target.kernel();
     return again ? *again : *kernel;
   };
   RunSettings drawing = settings_;
-  if (average) drawing.warmup = std::min(*drawing.warmup, kAveragedWarmup);
-  const ChainPlan plan{
-      .settings = drawing,
-      .table = table_,
-      .target = target,
-      .kernel = *kernel,
-      .values = [&](const Position& position) { return posterior.values(position); },
-      .mode = average ? ChainState{found.mode.position, average->evaluate(found.mode.position)} : found.mode,
-      .laplace = average ? std::make_shared<const Metric>(found.average->covariance) : found.laplace,
-      .metric = metric_in_use(metric_kind(settings_.metric), is_emulated),
-      .directory = directory_,
-      .run_key = run_key_,
-      .start = start_of(posterior, settings_, photo_),
-      .kernel_of_draws = kernel_of_draws};
+  drawing.warmup = manifest_.warmup;
+  const ChainPlan plan{.settings = drawing,
+                       .table = table_,
+                       .target = target.density(),
+                       .kernel = *kernel,
+                       .values = [&](const Position& position) { return posterior.values(position); },
+                       .mode = target.mode(),
+                       .laplace = target.spread(),
+                       .metric = metric_in_use(metric_kind(settings_.metric), is_emulated(found)),
+                       .directory = directory_,
+                       .run_key = run_key_,
+                       .start = start_of(posterior, settings_, photo_),
+                       .kernel_of_draws = kernel_of_draws};
   ChainsDone done = run_chains(plan, record_, shared_);
   draws_made_ = done.draws;
   manifest_.seconds.warmup = std::move(done.warmup);

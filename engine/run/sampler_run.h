@@ -68,8 +68,6 @@ class SamplerRun final : public DrawSource {
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
 
-  /// What is drawn from where renders are averaged over irregularities; else nothing.
-  std::unique_ptr<const VettedDensity> averaged(const ModeFound& found) const;
   bool may_average() const;  ///< as far as is known before irregularities are measured
   /// That simulated photos, and the renders that an average is learnt from, have.
   IrregularityPool& irregularities();

@@ -227,7 +227,8 @@ void draw_chains_panel(const PanelContext& context, const Rect& rect,
   draw_phase(context);
   const std::optional<StopEvidence> evidence = evidence_of(session);
   const RunOutlook outlook =
-      run_outlook(session.status(), session.run().settings(), evidence, session.seconds_spent());
+      run_outlook(session.status(), in_force(session.run().settings(), session.status()), evidence,
+                  session.seconds_spent());
   draw_progress(outlook, session.status().phase);
   draw_news(session, outlook, evidence);
   draw_alarms(session);

@@ -47,8 +47,7 @@ std::optional<std::size_t> find_cost(const CostChart& chart, const RunSettings& 
   const auto alike = [&](const DrawingCost& cost) {
     const ChartSetting& s = cost.setting;
     const bool own_posterior = s.resolution == 0 && s.summary.empty() && s.proposals == 0;
-    const bool same_errors =
-        s.errors == settings.errors || (s.errors == "paper" && settings.errors == kAutoErrors);
+    const bool same_errors = s.errors == settings.errors || (s.errors == "paper" && settings.errors == kAuto);
     return own_posterior && same_errors && s.precision == settings.precision &&
            (settings.kernel == kAuto ? s.name == kDefaultSetting : s.kernel == settings.kernel) &&
            s.metric == settings.metric && s.discrete == settings.discrete && s.chains == settings.chains &&

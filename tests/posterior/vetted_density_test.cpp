@@ -64,7 +64,7 @@ TEST(VettedDensity, IsTheLesserOfWhatPolynomialsSayAndWhatARenderAllows) {
 
 TEST(VettedDensity, ItsDrawsAreThoseOfATruncatedNormalWherePolynomialsPromiseWhatIsNotThere) {
   const VettedDensity density = vetted(1);
-  const auto kernel = make_emulated_kernel(density.emulator(), {0, 1}, density, 1.5, /*power=*/1);
+  const auto kernel = make_emulated_kernel(density, 1.5);
   SampleSettings settings;
   settings.warmup = 150;
   settings.draws = 3000;

@@ -20,9 +20,9 @@ namespace {
 class AveragedRun : public RunTest {
  protected:
   static RunSettings averaged() {
-    RunSettings asked = settings();
-    asked.errors = "averaged";
+    RunSettings asked = with_errors("averaged");
     asked.material = "leather";
+    asked.resolution = settings().resolution;
     return asked;
   }
 
@@ -69,17 +69,20 @@ TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
   }
   EXPECT_EQ(after, asked.chains * asked.draws);
   EXPECT_EQ(std::ssize(draws), asked.chains * (asked.draws + kAveragedWarmup));
+  const auto opened = open_run(directory());
+  EXPECT_EQ(opened->settings().warmup, 400) << "asked for";
+  EXPECT_EQ(in_force(opened->settings(), opened->status()).warmup, kAveragedWarmup);
 }
 
 TEST_F(AveragedRun, IsWhatAutoComesToWhereIrregularitiesDecideTheMatch) {
   RunSettings asked = averaged();
-  asked.errors = kAutoErrors;
+  asked.errors = kAuto;
   asked.map_only = true;
   const auto run = start(asked);
   draws_to_the_end(*run);
   const Manifest manifest = read_manifest(directory());
   const ModeFound found = this->found();
-  EXPECT_EQ(manifest.settings.errors, kAutoErrors);
+  EXPECT_EQ(manifest.settings.errors, kAuto);
   EXPECT_EQ(manifest.errors, found.wider ? "averaged" : "paper");
   EXPECT_EQ(run->status().errors, manifest.errors);
   EXPECT_EQ(open_run(directory())->status().errors, manifest.errors);
@@ -88,7 +91,7 @@ TEST_F(AveragedRun, IsWhatAutoComesToWhereIrregularitiesDecideTheMatch) {
 
 TEST_F(AveragedRun, IsNotWhatAutoComesToWhereNothingIsJagged) {
   RunSettings asked = settings();
-  ASSERT_EQ(asked.errors, kAutoErrors);
+  ASSERT_EQ(asked.errors, kAuto);
   asked.map_only = true;
   draws_to_the_end(*start(asked));
   EXPECT_EQ(read_manifest(directory()).errors, "paper");

@@ -15,12 +15,7 @@ namespace {
 
 class CalibratedRunTest : public RunTest {
  protected:
-  static RunSettings calibrated() {
-    RunSettings calibrated = settings();
-    calibrated.errors = "calibrated";
-    calibrated.resolution = 16;
-    return calibrated;
-  }
+  static RunSettings calibrated() { return with_errors("calibrated"); }
 };
 
 TEST_F(CalibratedRunTest, DrawsAndSaysHowThePhotoFits) {

@@ -12,12 +12,7 @@ namespace {
 
 class MeasuredErrors : public RunTest, public testing::WithParamInterface<std::string> {
  protected:
-  static RunSettings measured() {
-    RunSettings measured = settings();
-    measured.errors = GetParam();
-    measured.resolution = 16;
-    return measured;
-  }
+  static RunSettings measured() { return with_errors(GetParam()); }
 };
 INSTANTIATE_TEST_SUITE_P(AveragedAndCalibrated, MeasuredErrors, testing::Values("averaged", "calibrated"));
 

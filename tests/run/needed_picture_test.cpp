@@ -24,7 +24,7 @@ class NeededPictureTest : public RunTest {
 
   /// Of two parameters, the others being held.
   static RunSettings of_two(const std::string& summary, int resolution) {
-        RunSettings of_two = settings();
+    RunSettings of_two = settings();
     of_two.errors = "paper";
     const ParameterTable table = Renderer("bump", 2, Capture{}).table();
     const ParameterValues usual = prior_location(table);

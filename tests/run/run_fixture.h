@@ -57,6 +57,14 @@ class RunTest : public FolderTest {
     return settings;
   }
 
+  /// With other errors than those that are set by hand, which take more of a run.
+  static RunSettings with_errors(const std::string& errors) {
+    RunSettings measured = settings();
+    measured.errors = errors;
+    measured.resolution = 16;
+    return measured;
+  }
+
   /// More draws than any test waits for.
   static RunSettings endless() {
     RunSettings long_settings = settings();
