@@ -3,15 +3,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/error.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
+#include "engine/posterior/emulated_moves.h"
+#include "engine/posterior/irregularity_pool.h"
 #include "engine/posterior/prior_transform.h"
+#include "engine/posterior/simulate.h"
+#include "engine/posterior/vetted_density.h"
+#include "engine/posterior/wider_errors.h"
 #include "engine/run/calibrated_errors.h"
+#include "engine/run/emulated_proposals.h"
 #include "engine/run/mode_search.h"
 #include "engine/run/posterior_settings.h"
 #include "engine/run/run_checks.h"
 #include "engine/run/threads.h"
+#include "engine/run/widened_errors.h"
 #include "engine/sampling/kernels.h"
+#include "engine/sampling/map_search.h"
 #include "engine/sampling/rng.h"
 #include "engine/summary/precision.h"
 #include "engine/summary/summary.h"
@@ -73,6 +82,41 @@ ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed
           std::move(found.laplace)};
 }
 
+ChartProblem::Averaged PhotoProblem::average(const ChartSetting& setting, const std::vector<ChainState>& ends,
+                                             std::uint64_t seed,
+                                             const std::function<void()>& evaluated) const {
+  const auto pool = make_pool(posterior_->table(), kSimulatedSeeds, kIrregularityPhotos);
+  EmulateSettings settings = learning(seed, evaluated);
+  settings.others = pool.get();
+  const Simulator simulator{.posterior = *posterior_,
+                            .pool = *pool,
+                            .camera = {.least_side = 0},
+                            .seed = seed,
+                            .threads = settings.threads,
+                            .enter_thread = settings.enter_thread,
+                            .simulated = evaluated};
+  const WiderErrors wider = errors_of_irregularities(simulator, ends.front().position);
+  const Posterior widened = posterior_->with(wider);
+  std::vector<Position> places;
+  for (const ChainState& end : ends) places.push_back(end.position);
+  const std::vector<OptimizerResult> climbed = climb_on(widened, places);
+  const Metric laplace(laplace_covariance(widened, climbed.front().position));
+
+  auto by_render = std::make_shared<const Posterior>(posterior_->with(wider.of_the_photo()));
+  std::vector<ChainState> basins;
+  for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render->value(end.position)});
+  const std::vector<ChainState> starts = emulator_starts(
+      *by_render, *by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
+  const auto made = emulate_average(*by_render, starts, laplace, settings);
+  if (!made) throw UserError("Polynomials do not follow the renders about this match.");
+  auto target = std::make_unique<VettedDensity>(*made, by_render, informed());
+  auto kernel = make_emulated_kernel(*target, setting.path_length);
+  const Position& mode = climbed.front().position;
+  ChainState begin{mode, target->evaluate(mode)};
+  return {{std::move(target), std::move(begin), std::make_shared<const Metric>(made->covariance)},
+          std::move(kernel)};
+}
+
 Emulation PhotoProblem::emulate(const ChartSetting&, const std::vector<ChainState>& starts,
                                 const Metric& laplace, std::uint64_t seed,
                                 const std::function<void()>& evaluated) const {
@@ -107,7 +151,8 @@ ChartTarget PhotoProblem::target() const {
           true,
           levels > 0 && bfloat16_pays(),
           levels,
-          can_emulate(*posterior_)};
+          can_emulate(*posterior_),
+          can_emulate(*posterior_) && has_jagged(*posterior_)};
 }
 
 Image photo_of_prior_draw(const RunSettings& settings, std::uint64_t seed, std::uint64_t z_seed) {

@@ -40,6 +40,17 @@ class ChartProblem {
   virtual Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                        const std::function<void()>& simulated) const;
 
+  /// The target averaged over irregularities, where a setting asks for it, and what draws from it.
+  struct Averaged {
+    Learnt learnt;
+    std::unique_ptr<Kernel> kernel;
+  };
+  /// @param ends       that a search of the target ended in, best first
+  /// @param evaluated  called after each evaluation, from any thread; what it throws ends them
+  /// @throws UserError where nothing follows the target's averages
+  virtual Averaged average(const ChartSetting& setting, const std::vector<ChainState>& ends,
+                           std::uint64_t seed, const std::function<void()>& evaluated) const;
+
   /// An emulator of the target's informed coordinates, where a setting's kernel proposes by one: emulate().
   /// @param evaluated  called after each evaluation, from any thread; what it throws ends them
   virtual Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts,

@@ -71,6 +71,14 @@ class Matrix {
     if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
   }
 
+  void add_averaged() {
+    if (target_.can_average)
+      add("averaged errors", [](ChartSetting& setting) {
+        setting.errors = "averaged";
+        setting.kernel = kEmulated;
+      });
+  }
+
   void add_precision() {
     if (target_.can_round) add<std::string>("bfloat16", &ChartSetting::precision, "bfloat16");
   }
@@ -107,6 +115,7 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add_proposals(2);
   matrix.add_levels(3);
   matrix.add_precision();
+  matrix.add_averaged();
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
 }
@@ -128,6 +137,7 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
   matrix.add_precision();
+  matrix.add_averaged();
   matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();

@@ -47,6 +47,7 @@ struct ChartTarget {
   bool can_round = false;    ///< it has a network, and bfloat16_pays()
   int levels = 0;            ///< of its network; 0: it has none
   bool can_emulate = false;  ///< see ChartProblem::emulate()
+  bool can_average = false;  ///< see ChartProblem::average()
 };
 
 /// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500

@@ -56,11 +56,13 @@ class Running {
     for (const auto& target : targets_) metered_.push_back(std::make_unique<MeteredDensity>(*target, meter_));
     const MapSearchResult found = search();
     for (const OptimizerResult& basin : found.basins) basins_.push_back({basin.position, basin.evaluation});
+    if (setting_.errors == "averaged") return average_and_draw();
     const LogDensity& target = *metered_.back();
     const Metric laplace(laplace_covariance(target, found.best.position));
-    trial_.search_seconds = elapsed();
-    trial_.search_evaluations = meter_.evaluations();
-    draw(target, {found.best.position, found.best.evaluation}, laplace);
+    end_search();
+    const ChainState mode{found.best.position, found.best.evaluation};
+    const std::unique_ptr<Kernel> kernel = this->kernel(target, mode, laplace);
+    draw(target, mode, laplace, *kernel, setting_.warmup);
   }
 
   void end() {
@@ -95,15 +97,29 @@ class Running {
     problem_.use_threads(plan_.threads);
     const ChartProblem::Learnt learnt = problem_.learn(setting_, plan_.seed, [&] { meter_.count(false); });
     trial_.search.push_back({elapsed(), problem_.values(learnt.mode.position)});
-    trial_.search_seconds = elapsed();
-    trial_.search_evaluations = meter_.evaluations();
-    draw(MeteredDensity(*learnt.target, meter_), learnt.mode, *learnt.laplace);
+    end_search();
+    const MeteredDensity target(*learnt.target, meter_);
+    draw(target, learnt.mode, *learnt.laplace, *problem_.kernel(setting_, target), setting_.warmup);
   }
 
-  void draw(const LogDensity& target, const ChainState& mode, const Metric& laplace) {
+  void average_and_draw() {
+    end_search();
+    const auto [learnt, kernel] =
+        problem_.average(setting_, basins_, plan_.seed, [&] { meter_.count(/*with_gradient=*/false); });
+    draw(MeteredDensity(*learnt.target, meter_), learnt.mode, *learnt.laplace, *kernel,
+         std::min(setting_.warmup, kAveragedWarmup));
+  }
+
+  void end_search() {
+    trial_.search_seconds = elapsed();
+    trial_.search_evaluations = meter_.evaluations();
+  }
+
+  void draw(const LogDensity& target, const ChainState& mode, const Metric& laplace, const Kernel& kernel,
+            int warmup) {
     SampleSettings settings;
     settings.chains = setting_.chains;
-    settings.warmup = setting_.warmup;
+    settings.warmup = warmup;
     settings.draws = plan_.draws;
     settings.seed = plan_.seed;
     settings.metric_worth = 10.0 * static_cast<double>(target.dimension());  // as a run has it
@@ -130,15 +146,15 @@ class Running {
             .position;
       return overdispersed_start(target, mode, laplace, rng).position;
     };
-    const std::unique_ptr<Kernel> kernel = this->kernel(target, mode, laplace);
-    settings.metric = metric_in_use(metric_kind(setting_.metric), made_.emulator.has_value());
+    settings.metric =
+        metric_in_use(metric_kind(setting_.metric), made_.emulator || setting_.errors == "averaged");
     const Metric first(restricted(laplace.covariance(), settings.metric));
     std::unique_ptr<Kernel> again;
     settings.kernel_of_draws = [&]() -> const Kernel& {
       again = kernel_of_warmup(target, mode, laplace);
-      return again ? *again : *kernel;
+      return again ? *again : kernel;
     };
-    sample(target, *kernel, settings, start, first);
+    sample(target, kernel, settings, start, first);
   }
 
   /// Where the setting's is emulated and cannot be, hmc, as a run has it.

@@ -30,23 +30,21 @@ WiderErrors measure(const Posterior& by_hand, const Position& match, Irregularit
   return errors_of_irregularities(simulator, match);
 }
 
-/// @return best first
-std::vector<OptimizerResult> climbed(const Posterior& posterior, const LogDensity& target,
-                                     const std::vector<MapPoint>& basins) {
+}  // namespace
+
+std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vector<Position>& ends) {
   constexpr std::size_t kMost = 4;  // those behind were far behind, too
   OptimizerSettings settings;
   settings.max_iterations = 30;  // what polynomials are learnt about need not be the very top
-  std::vector<OptimizerResult> ends(std::min(basins.size(), kMost));
+  std::vector<OptimizerResult> climbed(std::min(ends.size(), kMost));
   parallel_for(
-      ends.size(), hardware_threads(),
-      [&](std::size_t i) { ends[i] = maximize(target, posterior.position(basins[i].values), settings); },
+      climbed.size(), hardware_threads(),
+      [&](std::size_t i) { climbed[i] = maximize(target, ends[i], settings); },
       [] { use_tensor_threads(1); });
-  std::ranges::stable_sort(ends, std::ranges::greater{},
+  std::ranges::stable_sort(climbed, std::ranges::greater{},
                            [](const OptimizerResult& end) { return end.evaluation.log_density; });
-  return ends;
+  return climbed;
 }
-
-}  // namespace
 
 ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool, double luck,
                   std::uint64_t seed, RunShared& shared) {
@@ -54,8 +52,10 @@ ModeFound widened(const Posterior& by_hand, const ModeFound& found, Irregularity
   if (wider.luck < luck) return found;
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
-  const std::vector<OptimizerResult> basins = climbed(posterior, target, found.basins);
-  assert(!basins.empty());
+  std::vector<Position> ends;
+  for (const MapPoint& basin : found.basins) ends.push_back(posterior.position(basin.values));
+  assert(!ends.empty());
+  const std::vector<OptimizerResult> basins = climb_on(target, ends);
   ModeFound again = mode_of(posterior, target, basins.front(), basins);
   again.wider = std::move(wider);
   return again;

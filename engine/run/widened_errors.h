@@ -1,10 +1,17 @@
 #pragma once
 
-#include "engine/run/mode_search.h"
+#include <vector>
 
+#include "engine/run/mode_search.h"
 #include "engine/run/run_shared.h"
+#include "engine/sampling/optimizer.h"
 
 namespace patina {
+
+/// Climbs on under other errors from the best of what a search ended in, a little way, on all processors.
+/// @param target  the posterior under these, controlled, say   @param ends  best first, at least one
+/// @return        best first
+std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vector<Position>& ends);
 
 /// What a search found by hand-set errors, found again by errors that are wider by what irregularities do at
 /// its best match: errors_of_irregularities(), and climbs on from its basins under them. On all processors.

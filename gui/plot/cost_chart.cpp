@@ -49,7 +49,8 @@ std::optional<std::size_t> find_cost(const CostChart& chart, const RunSettings& 
     const bool own_posterior = s.resolution == 0 && s.summary.empty() && s.proposals == 0;
     const bool same_errors = s.errors == settings.errors || (s.errors == "paper" && settings.errors == kAuto);
     return own_posterior && same_errors && s.precision == settings.precision &&
-           (settings.kernel == kAuto ? s.name == kDefaultSetting : s.kernel == settings.kernel) &&
+           (settings.kernel == kAuto ? s.name == kDefaultSetting || s.errors == "averaged"
+                                     : s.kernel == settings.kernel) &&
            s.metric == settings.metric && s.discrete == settings.discrete && s.chains == settings.chains &&
            s.alpha == settings.alpha && s.refresh == settings.refresh &&
            s.path_length == settings.path_length;

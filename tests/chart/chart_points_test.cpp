@@ -163,6 +163,15 @@ TEST(ChartSettings, of_a_jagged_target_that_can_be_emulated_are_no_fewer) {
   }
 }
 
+TEST(ChartSettings, average_over_irregularities_where_there_are_any) {
+  for (const bool can_average : {false, true})
+    for (const std::string& preset : chart_presets()) {
+      const auto settings = preset_settings(
+          preset, {.resolution = 64, .has_jagged = true, .can_emulate = true, .can_average = can_average});
+      EXPECT_EQ(std::ranges::count(settings, "averaged", &ChartSetting::errors), can_average) << preset;
+    }
+}
+
 TEST(ChartSettings, round_where_that_pays) {
   for (const bool can_round : {false, true}) {
     const auto settings = preset_settings("quick", {.resolution = 64, .can_round = can_round});

@@ -72,6 +72,17 @@ class LearningProblem final : public ChartProblem {
     return learnt;
   }
 
+  /// The biased target, by as many evaluations.
+  Averaged average(const ChartSetting& setting, const std::vector<ChainState>& ends, std::uint64_t seed,
+                   const std::function<void()>& evaluated) const override {
+    EXPECT_FALSE(ends.empty()) << "a search comes first";
+    ChartSetting biased = setting;
+    biased.summary = "biased";
+    Learnt learnt = learn(biased, seed, evaluated);
+    auto kernel = known_.kernel(quick_setting(), *learnt.target);
+    return {std::move(learnt), std::move(kernel)};
+  }
+
   static constexpr int kSimulations = 100;
 
  private:
@@ -86,6 +97,43 @@ TEST(Trial, of_calibrated_errors_learns_its_target_in_place_of_a_search) {
   ASSERT_EQ(trial.draws().draws(), 1000);
   const GaussianProblem known;
   EXPECT_NEAR(trial.draws().continuous[0].mean(), known.true_mean(0), 0.25 * known.true_sd(0));
+}
+
+TEST(Trial, of_averaged_errors_draws_from_the_average_after_a_search_and_a_short_warm_up) {
+  ChartSetting setting = quick_setting();
+  setting.errors = "averaged";
+  setting.warmup = 100'000;
+  const Trial trial = run_trial(LearningProblem(), setting, {.seed = 3, .draws = 1000, .threads = 2});
+  EXPECT_GT(trial.search_evaluations, 0);
+  EXPECT_GT(trial.warmup_evaluations, LearningProblem::kSimulations);
+  EXPECT_LT(trial.warmup_evaluations, 100'000);
+  ASSERT_EQ(trial.draws().draws(), 1000);
+  const GaussianProblem known;
+  const double off = (trial.draws().continuous[1].mean() - known.true_mean(1)) / known.true_sd(1);
+  EXPECT_NEAR(off, GaussianProblem::kBias, 0.2);
+}
+
+TEST(Trial, of_a_photo_draws_from_its_average_over_irregularities) {
+  RunSettings settings;
+  settings.material = "plaster";
+  settings.summary = "means";
+  settings.resolution = 32;
+  const PhotoProblem photo(settings, photo_of_prior_draw(settings, 1, 2), "a draw from the prior");
+  ASSERT_TRUE(photo.target().can_average);
+  ChartSetting setting = default_setting(/*has_jagged=*/true, /*can_emulate=*/true);
+  setting.errors = "averaged";
+  const auto means_of_seed = [&](std::uint64_t seed) {
+    const Trial trial = run_trial(photo, setting, {.seed = seed, .draws = 300, .threads = 2});
+    EXPECT_EQ(trial.draws().draws(), 300);
+    EXPECT_GT(trial.evaluations - trial.search_evaluations, 2400) << "that the average is learnt from";
+    return trial.draws();
+  };
+  const QuantityDraws one = means_of_seed(3), other = means_of_seed(4);
+  for (std::size_t i = 0; i < one.continuous.size(); ++i) {
+    const Eigen::ArrayXXd &a = one.continuous[i], &b = other.continuous[i];
+    const double sd = std::sqrt((a - a.mean()).square().mean());
+    EXPECT_NEAR(a.mean(), b.mean(), 0.5 * sd) << photo.names()[i] << ", learnt from other renders";
+  }
 }
 
 TEST(Trial, draws_from_the_target_where_a_posterior_beside_it_proposes) {

@@ -76,6 +76,18 @@ TEST_F(CostChartTest, FindsTheWayOfARunWhateverItsLengthAndResolution) {
   EXPECT_FALSE(find_cost(chart, run));
 }
 
+TEST_F(CostChartTest, FindsTheWayOfARunThatAveragesOverIrregularities) {
+  std::vector<ChartRow> some = rows();
+  RunSettings run;
+  run.refresh = default_setting().refresh;
+  run.errors = "averaged";
+  EXPECT_FALSE(find_cost(read_cost_chart(write(some)).value(), run));
+  some[3].setting = default_setting();
+  some[3].setting.name = "averaged errors";
+  some[3].setting.errors = "averaged";
+  EXPECT_EQ(find_cost(read_cost_chart(write(some)).value(), run), 3u);
+}
+
 TEST_F(CostChartTest, SaysWhichWaysAreCheaperAndWhichOfTheseAreWrong) {
   const CostChart chart = read_cost_chart(write(rows())).value();
   const std::string of_default = alternatives_text(chart, 0);

@@ -1,0 +1,161 @@
+// How right a run's average over irregularities is (engine/posterior/vetted_density.h): at some of its draws
+// the log density by the mean summary of renders with irregularities that nothing was learnt from, against
+// the one that they were drawn from, and what becomes of means and sds if it is right.
+//   bench-average RUN [DRAWS = 200 [IRREGULARITIES = 48]]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "engine/allocator.h"
+#include "engine/diagnostics/reweighting.h"
+#include "engine/error.h"
+#include "engine/material/irregularities.h"
+#include "engine/posterior/irregularity_pool.h"
+#include "engine/posterior/posterior.h"
+#include "engine/posterior/simulate.h"
+#include "engine/posterior/wider_errors.h"
+#include "engine/run/manifest.h"
+#include "engine/run/mode_state.h"
+#include "engine/run/posterior_settings.h"
+#include "engine/run/run.h"
+#include "engine/run/run_photo.h"
+#include "engine/run/same_run.h"
+#include "engine/run/threads.h"
+#include "engine/sampling/parallel_for.h"
+#include "engine/sampling/prior_draw.h"
+
+namespace patina {
+namespace {
+
+/// After warm-up, as far apart as may be.
+std::vector<Draw> thinned(const std::filesystem::path& directory, std::size_t count) {
+  std::vector<Draw> draws = open_run(directory)->take_draws(), kept;
+  std::erase_if(draws, [](const Draw& draw) { return draw.warmup; });
+  if (draws.size() < count) throw UserError("The run has fewer draws after its warm-up than are asked for.");
+  for (std::size_t i = 0; i < count; ++i) kept.push_back(draws[i * draws.size() / count]);
+  return kept;
+}
+
+/// Of the informed coordinates, by the mean of renders.
+class Mean {
+ public:
+  Mean(const Posterior& posterior, std::size_t irregularities)
+      : posterior_(posterior),
+        informed_(posterior.informed()),
+        observed_(posterior.in_errors(posterior.photo_summary())) {
+    for (std::size_t k = 0; k < irregularities; ++k)
+      others_.push_back(posterior.with(std::make_shared<const Irregularities>(kSimulatedSeeds + kApart + k)));
+    for (std::size_t k = 0; k < irregularities; ++k)
+      levels_.push_back(levels_of(posterior, Irregularities(kSimulatedSeeds + kApart + k)));
+  }
+
+  struct Value {
+    double log_density = 0;
+    double by_chance = 0;  ///< half the difference of the halves of the irregularities
+  };
+  Value at(const Position& position, Rng& rng) const {
+    Eigen::MatrixXd summaries(observed_.size(), std::ssize(others_));
+    for (std::size_t k = 0; k < others_.size(); ++k) {
+      Position place = prior_draw(posterior_, rng);
+      place.continuous(informed_) = position.continuous(informed_);
+      place.discrete = levels_[k];
+      summaries.col(static_cast<Eigen::Index>(k)) = others_[k].predicted(place);
+    }
+    const double prior = -position.continuous(informed_).squaredNorm() / 2;
+    const Eigen::Index half = summaries.cols() / 2;
+    return {prior + log_likelihood(summaries),
+            (log_likelihood(summaries.leftCols(half)) - log_likelihood(summaries.rightCols(half))) / 2};
+  }
+
+ private:
+  static constexpr std::uint64_t kApart = 1'000'000;  // from what runs learn from
+
+  /// By the mean, less what the scatter of so few renders adds to its distance.
+  double log_likelihood(const Eigen::MatrixXd& summaries) const {
+    const Eigen::VectorXd mean = summaries.rowwise().mean();
+    const auto n = static_cast<double>(summaries.cols());
+    const double scatter = (summaries.colwise() - mean).squaredNorm() / (n - 1);
+    return -((mean - observed_).squaredNorm() - scatter / n) / 2;
+  }
+
+  const Posterior& posterior_;
+  std::vector<Eigen::Index> informed_;
+  Eigen::VectorXd observed_;
+  std::vector<Posterior> others_;
+  std::vector<Eigen::VectorXi> levels_;
+};
+
+double deviation(const Eigen::VectorXd& values) {
+  return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
+}
+
+void report(const std::filesystem::path& directory, std::size_t count, std::size_t irregularities) {
+  const Manifest manifest = read_manifest(directory);
+  const RunSettings& settings = manifest.settings;
+  const Posterior by_hand(posterior_settings(settings, settings.resolution), read_run_photo(directory));
+  const auto found = read_mode(directory, run_key(manifest), by_hand, settings);
+  if (!found || !found->average) throw UserError("The run has no average over irregularities.");
+  const Posterior posterior = by_hand.with(found->wider->of_the_photo());
+  const std::vector<Eigen::Index> informed = posterior.informed();
+  const Mean mean(posterior, irregularities);
+
+  const std::vector<Draw> draws = thinned(directory, count);
+  const auto n = static_cast<Eigen::Index>(count);
+  Eigen::MatrixXd places(n, std::ssize(informed));
+  Eigen::VectorXd log_ratio(n), by_chance(n);
+  std::vector<char> vetoed(count);
+  parallel_for(
+      count, hardware_threads(),
+      [&](std::size_t i) {
+        constexpr double kRounding = 1e-3;  // nats
+        Rng rng(1, i);
+        const Position position = posterior.position(draws[i].values);
+        const Eigen::VectorXd place = position.continuous(informed);
+        const double others = (position.continuous.squaredNorm() - place.squaredNorm()) / 2;
+        const double drawn_from = draws[i].lp + others;
+        const Mean::Value value = mean.at(position, rng);
+        const auto row = static_cast<Eigen::Index>(i);
+        places.row(row) = place;
+        log_ratio[row] = value.log_density - drawn_from;
+        by_chance[row] = value.by_chance;
+        vetoed[i] = drawn_from < found->average->emulator.value({place, {}}).log_density - kRounding;
+      },
+      [] { use_tensor_threads(1); });
+
+  std::printf(
+      "%zu draws, %zu other irregularities: log ratios have an sd of %.2f nats, %.2f of it by chance; "
+      "%.1f %% of the draws vetoed\n",
+      count, irregularities, deviation(log_ratio), std::sqrt(by_chance.squaredNorm() / double(n)),
+      100.0 * double(std::ranges::count(vetoed, 1)) / double(n));
+  std::printf("%-20s %28s %28s\n", "", "mean is off by, in sds", "sd is off by, logarithm");
+  std::vector<const Parameter*> free;
+  for (const Parameter& parameter : posterior.table().continuous)
+    if (!settings.fixed.contains(parameter.name)) free.push_back(&parameter);
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    const Reweighting by = reweight(places.col(i), log_ratio, static_cast<double>(n));
+    std::printf("%-20s %15.2f +- %.2f %19.2f +- %.2f\n",
+                free[static_cast<std::size_t>(informed[static_cast<std::size_t>(i)])]->name.c_str(),
+                by.mean_shift, by.mean_error, by.log_spread, by.spread_error);
+  }
+}
+
+}  // namespace
+}  // namespace patina
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 4) {
+    std::fprintf(stderr, "bench-average RUN [DRAWS [IRREGULARITIES]]\n");
+    return 2;
+  }
+  try {
+    patina::report(argv[1], argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 200,
+                   argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 48);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
