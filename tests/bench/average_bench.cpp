@@ -1,6 +1,7 @@
 // How right a run's average over irregularities is (engine/posterior/vetted_density.h): at some of its draws
 // the log density by the mean summary of renders with irregularities that nothing was learnt from, against
-// the one that they were drawn from, and what becomes of means and sds if it is right.
+// the one that they were drawn from, and what becomes of means and sds if it is right; and how far a single
+// render is from that mean, beside what its irregularities do everywhere.
 //   bench-average RUN [DRAWS = 200 [IRREGULARITIES = 48]]
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,8 @@ class Mean {
 
   struct Value {
     double log_density = 0;
-    double by_chance = 0;  ///< half the difference of the halves of the irregularities
+    double by_chance = 0;       ///< half the difference of the halves of the irregularities
+    Eigen::RowVectorXd of_one;  ///< the log likelihood by each render alone
   };
   Value at(const Position& position, Rng& rng) const {
     Eigen::MatrixXd summaries(observed_.size(), std::ssize(others_));
@@ -68,7 +70,8 @@ class Mean {
     const double prior = -position.continuous(informed_).squaredNorm() / 2;
     const Eigen::Index half = summaries.cols() / 2;
     return {prior + log_likelihood(summaries),
-            (log_likelihood(summaries.leftCols(half)) - log_likelihood(summaries.rightCols(half))) / 2};
+            (log_likelihood(summaries.leftCols(half)) - log_likelihood(summaries.rightCols(half))) / 2,
+            -(summaries.colwise() - observed_).colwise().squaredNorm() / 2};
   }
 
  private:
@@ -89,6 +92,13 @@ class Mean {
   std::vector<Eigen::VectorXi> levels_;
 };
 
+/// Of what is left of a table without the means of its rows and columns.
+double interaction(Eigen::MatrixXd table) {
+  table.colwise() -= table.rowwise().mean().eval();
+  table.rowwise() -= table.colwise().mean().eval();
+  return table.norm() / std::sqrt(static_cast<double>((table.rows() - 1) * (table.cols() - 1)));
+}
+
 double deviation(const Eigen::VectorXd& values) {
   return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
 }
@@ -106,6 +116,7 @@ void report(const std::filesystem::path& directory, std::size_t count, std::size
   const std::vector<Draw> draws = thinned(directory, count);
   const auto n = static_cast<Eigen::Index>(count);
   Eigen::MatrixXd places(n, std::ssize(informed));
+  Eigen::MatrixXd of_one(n, static_cast<Eigen::Index>(irregularities));
   Eigen::VectorXd log_ratio(n), by_chance(n);
   std::vector<char> vetoed(count);
   parallel_for(
@@ -122,15 +133,16 @@ void report(const std::filesystem::path& directory, std::size_t count, std::size
         places.row(row) = place;
         log_ratio[row] = value.log_density - drawn_from;
         by_chance[row] = value.by_chance;
+        of_one.row(row) = value.of_one;
         vetoed[i] = drawn_from < found->average->emulator.value({place, {}}).log_density - kRounding;
       },
       [] { use_tensor_threads(1); });
 
   std::printf(
       "%zu draws, %zu other irregularities: log ratios have an sd of %.2f nats, %.2f of it by chance; "
-      "%.1f %% of the draws vetoed\n",
+      "%.1f %% of the draws vetoed; single renders scatter by %.2f nats\n",
       count, irregularities, deviation(log_ratio), std::sqrt(by_chance.squaredNorm() / double(n)),
-      100.0 * double(std::ranges::count(vetoed, 1)) / double(n));
+      100.0 * double(std::ranges::count(vetoed, 1)) / double(n), interaction(of_one));
   std::printf("%-20s %28s %28s\n", "", "mean is off by, in sds", "sd is off by, logarithm");
   std::vector<const Parameter*> free;
   for (const Parameter& parameter : posterior.table().continuous)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/chart/photo_problem.h"
+#include "engine/run/emulated_proposals.h"
 #include "tests/chart/gaussian_problem.h"
 
 namespace patina {
@@ -125,7 +126,7 @@ TEST(Trial, of_a_photo_draws_from_its_average_over_irregularities) {
   const auto means_of_seed = [&](std::uint64_t seed) {
     const Trial trial = run_trial(photo, setting, {.seed = seed, .draws = 300, .threads = 2});
     EXPECT_EQ(trial.draws().draws(), 300);
-    EXPECT_GT(trial.evaluations - trial.search_evaluations, 2400) << "that the average is learnt from";
+    EXPECT_GT(trial.warmup_evaluations, 4 * kAveragedWarmup + 200) << "those that it is learnt from, too";
     return trial.draws();
   };
   const QuantityDraws one = means_of_seed(3), other = means_of_seed(4);
