@@ -21,16 +21,16 @@ struct CostPlot {
 };
 
 CostPlot plot_in(const CostChart& chart, const Rect& rect) {
-  const float em = ImGui::GetFontSize(), left = 3.4f * em, above = 1.6f * em, below = 3.2f * em;
+  const float em = ImGui::GetFontSize(), left = 3.4f * em, right = em, above = 1.6f * em, below = 3.2f * em;
   std::vector<double> seconds, errors;
   for (const DrawingCost& cost : chart.costs) {
     seconds.push_back(cost.seconds);
     errors.push_back(cost.error);
   }
-  CostPlot plot{
-      {{rect.position.x + left, rect.position.y + above}, {rect.size.x - left, rect.size.y - above - below}},
-      fitted_axis(seconds, 1.4, 1.8),
-      fitted_axis(errors, 1.5, 1.5)};
+  CostPlot plot{{{rect.position.x + left, rect.position.y + above},
+                 {rect.size.x - left - right, rect.size.y - above - below}},
+                fitted_axis(seconds, 1.4, 1.8),
+                fitted_axis(errors, 1.5, 1.5)};
   plot.x.pixel_of_low = plot.area.position.x;
   plot.x.pixel_of_high = plot.area.position.x + plot.area.size.x;
   plot.y.pixel_of_low = plot.area.position.y + plot.area.size.y;
