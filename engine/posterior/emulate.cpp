@@ -167,7 +167,7 @@ class Learner {
     return quantile(std::move(deeper), 0.5) < kRight;
   }
 
-  /// What luck of irregularities makes renders worse than their mean: an sd of 0.8 to 1.2 nats, so that one
+  /// What luck of irregularities makes renders worse than their mean: an sd of 0.7 to 1.5 nats, so that one
   /// above the lower quartile, which what is promised in vain does not move much, is near the middle. With
   /// four, polynomials had their way where they were 2 to 3 nats too high, and means came out up to 0.9 sds
   /// off (bench-average).
