@@ -86,7 +86,7 @@ TEST_F(AveragedRun, IsWhatAutoComesToWhereIrregularitiesDecideTheMatch) {
   EXPECT_EQ(manifest.errors, found.wider ? "averaged" : "paper");
   EXPECT_EQ(run->status().errors, manifest.errors);
   EXPECT_EQ(open_run(directory())->status().errors, manifest.errors);
-    if (found.wider) {
+  if (found.wider) {
     EXPECT_GE(found.wider->luck, 1);
   }
 }
