@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/allocator.h"
+#include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/reweighting.h"
 #include "engine/error.h"
 #include "engine/material/irregularities.h"
@@ -99,10 +100,6 @@ double interaction(Eigen::MatrixXd table) {
   return table.norm() / std::sqrt(static_cast<double>((table.rows() - 1) * (table.cols() - 1)));
 }
 
-double deviation(const Eigen::VectorXd& values) {
-  return std::sqrt((values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1));
-}
-
 void report(const std::filesystem::path& directory, std::size_t count, std::size_t irregularities) {
   const Manifest manifest = read_manifest(directory);
   const RunSettings& settings = manifest.settings;
@@ -141,7 +138,7 @@ void report(const std::filesystem::path& directory, std::size_t count, std::size
   std::printf(
       "%zu draws, %zu other irregularities: log ratios have an sd of %.2f nats, %.2f of it by chance; "
       "%.1f %% of the draws vetoed; single renders scatter by %.2f nats\n",
-      count, irregularities, deviation(log_ratio), std::sqrt(by_chance.squaredNorm() / double(n)),
+      count, irregularities, standard_deviation(log_ratio), std::sqrt(by_chance.squaredNorm() / double(n)),
       100.0 * double(std::ranges::count(vetoed, 1)) / double(n), interaction(of_one));
   std::printf("%-20s %28s %28s\n", "", "mean is off by, in sds", "sd is off by, logarithm");
   std::vector<const Parameter*> free;
