@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -97,8 +98,9 @@ class Learner {
     const Eigen::MatrixXd draws = softened_draws(kChecked, 1);  // metric_ is theirs then
     evaluate(draws);
     const std::vector<double> deeper = deeper_than_promised(draws);
-    if (share_kept(deeper) < settings_.poor) return {};
-    return AveragedEmulator{std::move(emulator_), allowance(deeper), metric_->covariance()};
+    const double allowed = allowance(deeper);
+    if (share_taken(deeper, allowed) < settings_.poor) return {};
+    return AveragedEmulator{std::move(emulator_), allowed, metric_->covariance()};
   }
 
   Emulator learn_at(const Eigen::MatrixXd& places, const KnownResiduals& known) {
@@ -174,6 +176,13 @@ class Learner {
   static double allowance(const std::vector<double>& deeper) {
     constexpr double kLuck = 1;
     return quantile(deeper, 0.25) + kLuck;
+  }
+
+  /// Of draws, by a render that may be deeper by so much (VettedDensity).
+  static double share_taken(const std::vector<double>& deeper, double allowed) {
+    const auto taken = [&](double by) { return std::exp(std::min(allowed - by, 0.0)); };
+    return std::transform_reduce(deeper.begin(), deeper.end(), 0.0, std::plus(), taken) /
+           static_cast<double>(deeper.size());
   }
 
   /// The share of places about as deep as the better ones: those that are not promised in vain.

@@ -1,5 +1,6 @@
 #include "engine/posterior/emulated_moves.h"
 
+#include <functional>
 #include <utility>
 
 #include "engine/posterior/vetted_density.h"
@@ -38,13 +39,13 @@ std::unique_ptr<Kernel> way_out_of(const LogDensity& target) {
   return without_gradient(target, make_walk_of_all_scales(), usual_refresh(/*has_jagged=*/false));
 }
 
+/// A kernel of an emulator's proposals, which it keeps.
 class EmulatedKernel final : public Kernel {
  public:
+  using Made = std::function<std::unique_ptr<Kernel>(const EmulatedProposals&)>;
   EmulatedKernel(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
-                 const LogDensity& target, double path_length)
-      : proposals_(emulator, informed, target),
-        kernel_(make_mixture(proposing(proposals_, target, path_length), way_out_of(target),
-                             has_jagged(target) ? kProposingIfJagged : kProposing)) {}
+                 const LogDensity& target, const Made& make)
+      : proposals_(emulator, informed, target), kernel_(make(proposals_)) {}
 
   TransitionInfo step(const LogDensity& target, const KernelSettings& settings, ChainState& state,
                       Rng& rng) const override {
@@ -66,14 +67,25 @@ EmulatedProposals::EmulatedProposals(const Emulator& emulator, const std::vector
 /// Not straightened: the map that warm-up fits is no good in tails, and where it bends them chains stayed
 /// for thousands of iterations (of 50 moves from leather_6's, a fifteenth led out, a fifth as soon
 /// without).
-std::unique_ptr<Kernel> EmulatedProposals::kernel(double path_length, int moves) const {
+std::unique_ptr<Kernel> EmulatedProposals::moves(double path_length) const {
   constexpr int kMostSteps = 24;
   constexpr double kCareful = 0.4;
   const double refresh = usual_refresh(/*has_jagged=*/false);
   auto kernel = make_mixture(make_hmc(path_length, kMostSteps, kCareful), make_refresh_move(), 1 - refresh);
-  if (!density_.discrete_levels().empty())
-    kernel = make_mixture(std::move(kernel), make_discrete_move(), kAlpha);
-  return make_two_stage(std::move(kernel), density_, moves);
+  if (density_.discrete_levels().empty()) return kernel;
+  return make_mixture(std::move(kernel), make_discrete_move(), kAlpha);
+}
+
+std::unique_ptr<Kernel> EmulatedProposals::far(double path_length) const {
+  return make_two_stage(moves(path_length), density_, kMovesFar);
+}
+
+std::unique_ptr<Kernel> EmulatedProposals::near(double path_length) const {
+  return make_two_stage(moves(path_length), density_, 1);
+}
+
+std::unique_ptr<Kernel> EmulatedProposals::until_taken(double path_length) const {
+  return make_rejection(moves(path_length), density_, kMovesFar);
 }
 
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {
@@ -83,11 +95,17 @@ std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length) {
-  return std::make_unique<EmulatedKernel>(emulator.softened(kSoftened), informed, target, path_length);
+  return std::make_unique<EmulatedKernel>(
+      emulator.softened(kSoftened), informed, target, [&](const EmulatedProposals& proposals) {
+        return make_mixture(proposing(proposals, target, path_length), way_out_of(target),
+                            has_jagged(target) ? kProposingIfJagged : kProposing);
+      });
 }
 
 std::unique_ptr<Kernel> make_emulated_kernel(const VettedDensity& target, double path_length) {
-  return std::make_unique<EmulatedKernel>(target.emulator(), target.informed(), target, path_length);
+  return std::make_unique<EmulatedKernel>(
+      target.emulator(), target.informed(), target,
+      [&](const EmulatedProposals& proposals) { return proposals.until_taken(path_length); });
 }
 
 }  // namespace patina

@@ -24,12 +24,16 @@ class EmulatedProposals {
 
   /// Fifty HMC transitions, which need no render, propose; the target, evaluated once, takes or refuses
   /// (make_two_stage). Outlived by this.
-  std::unique_ptr<Kernel> far(double path_length) const { return kernel(path_length, kMovesFar); }
-  std::unique_ptr<Kernel> near(double path_length) const { return kernel(path_length, 1); }
+  std::unique_ptr<Kernel> far(double path_length) const;
+  std::unique_ptr<Kernel> near(double path_length) const;  ///< one transition proposes
+
+  /// So many transitions over and over, until a target that is nowhere above the emulator's density takes
+  /// where they have come to (make_rejection). Outlived by this.
+  std::unique_ptr<Kernel> until_taken(double path_length) const;
 
  private:
   static constexpr int kMovesFar = 50;
-  std::unique_ptr<Kernel> kernel(double path_length, int moves) const;
+  std::unique_ptr<Kernel> moves(double path_length) const;  ///< one transition
 
   Emulator emulator_;
   InformedDensity density_;
@@ -47,12 +51,12 @@ constexpr double kSoftened = 0.8;
 /// jagged, leaves where the emulator thinks too little of a place. Places of textures and levels are proposed
 /// from their prior.
 /// @param emulator  of the informed coordinates of the target   @param path_length  as of hmc (kernels.h)
-
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length);
 
-/// The same of an average over irregularities, nothing softened: it is nowhere above its emulator.
+/// Of an average over irregularities, which is nowhere above its emulator: rejection sampling, so that draws
+/// hardly depend on each other and no chain stays anywhere.
 /// @param target  outlives the kernel
 std::unique_ptr<Kernel> make_emulated_kernel(const VettedDensity& target, double path_length);
 

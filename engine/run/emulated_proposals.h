@@ -50,8 +50,9 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
                                               const Metric& laplace, const std::vector<MapPoint>& basins,
                                               const RunSettings& settings, RunShared& shared);
 
-/// Iterations of warm-up that chains of an average have at most: it has no pits to be left.
-constexpr int kAveragedWarmup = 150;
+/// Iterations of warm-up that chains of an average have at most: its covariance is known, and steps are learnt
+/// from fifty transitions each.
+constexpr int kAveragedWarmup = 60;
 
 /// An iteration of a chain.
 struct ChainIteration {

@@ -71,6 +71,18 @@ std::unique_ptr<Kernel> make_straightened(std::unique_ptr<Kernel> kernel);
 /// @throws std::invalid_argument unless moves >= 1
 std::unique_ptr<Kernel> make_two_stage(std::unique_ptr<Kernel> kernel, const LogDensity& cheap, int moves);
 
+/// Rejection sampling (von Neumann 1951) of a target that is nowhere above another density, by a chain of
+/// that one: `moves` transitions of a kernel under it lead to a place, which the target takes with
+/// probability p / envelope, over and over until it takes one. A transition is then from one place taken to
+/// the next, and what a chain does whenever it is in a set has the chain's own distribution, restricted to
+/// that set (Kac 1947): the kernel need not be reversible. Where draws of the envelope are cheap and hardly
+/// depend on each other, nor do these: an evaluation of the target is worth p / envelope draws, and no place
+/// is ever stayed at. Where p / envelope is next to nothing, a transition takes as long.
+/// @param kernel    leaves the envelope invariant   @param envelope  of the target's coordinates, nowhere
+/// below its density; outlives the kernel
+/// @throws std::invalid_argument unless moves >= 1
+std::unique_ptr<Kernel> make_rejection(std::unique_ptr<Kernel> kernel, const LogDensity& envelope, int moves);
+
 std::vector<std::string> kernel_names();
 
 /// "joint": make_discrete_move(); "single": make_single_discrete_move().
