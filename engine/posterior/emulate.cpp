@@ -84,7 +84,7 @@ class Learner {
   }
 
   std::optional<AveragedEmulator> learn_average() {
-    constexpr Eigen::Index kFewestOfAverage = 2400;
+    constexpr Eigen::Index kFewestOfAverage = 3200;
     constexpr int kChecked = 128;
     const Eigen::Index most = settings_.most > 0 ? most_ : std::max(kFewestOfAverage, most_);
     evaluate(about_the_mode());
@@ -93,7 +93,8 @@ class Learner {
     for (;;) {
       const Eigen::Index more = std::max<Eigen::Index>(kLeastRound, known_.count() / 4);
       if (known_.count() + more + kChecked > most) break;
-      if (share_kept(learn_from_draws(more)) >= settings_.good) break;
+      const double beta = 2 * known_.count() < most ? kWideBeta : 1;
+      if (share_kept(learn_from_draws(more, beta)) >= settings_.good) break;
     }
     const Eigen::MatrixXd draws = softened_draws(kChecked, 1);  // metric_ is theirs then
     evaluate(draws);
@@ -108,7 +109,7 @@ class Learner {
     evaluate(places.rightCols(std::min(places.cols(), most_)));
     fit();
     for (int i = 0; i < kRoundsAgain; ++i)
-      if (is_right(learn_from_draws(std::max(kLeastRound, most_ / 2 / kRoundsAgain)))) break;
+      if (is_right(learn_from_draws(std::max(kLeastRound, most_ / 2 / kRoundsAgain), kWideBeta))) break;
     return std::move(emulator_);
   }
 
@@ -117,8 +118,8 @@ class Learner {
   static constexpr int kRoundsAgain = 4;
 
   /// @return deeper_than_promised() by what it was learnt from before
-  std::vector<double> learn_from_draws(Eigen::Index count) {
-    const Eigen::MatrixXd draws = softened_draws(static_cast<int>(count), kWideBeta);
+  std::vector<double> learn_from_draws(Eigen::Index count, double beta) {
+    const Eigen::MatrixXd draws = softened_draws(static_cast<int>(count), beta);
     evaluate(draws);
     std::vector<double> deeper = deeper_than_promised(draws);
     fit();
@@ -169,13 +170,12 @@ class Learner {
     return quantile(std::move(deeper), 0.5) < kRight;
   }
 
-  /// What luck of irregularities makes renders worse than their mean: an sd of 0.7 to 1.5 nats, so that one
-  /// above the lower quartile, which what is promised in vain does not move much, is near the middle. With
-  /// four, polynomials had their way where they were 2 to 3 nats too high, and means came out up to 0.9 sds
-  /// off (bench-average).
+  /// From where on polynomials promise no more than a render has to show: a nat above what the better quarter
+  /// of their draws have. The less is allowed, the less of a draw is theirs, and the more evaluations it
+  /// takes: at a nat about four (bench-average has means and errors by what is allowed).
   static double allowance(const std::vector<double>& deeper) {
-    constexpr double kLuck = 1;
-    return quantile(deeper, 0.25) + kLuck;
+    constexpr double kAbove = 1;  // nats
+    return quantile(deeper, 0.25) - kAbove;
   }
 
   /// Of draws, by a render that may be deeper by so much (VettedDensity).
