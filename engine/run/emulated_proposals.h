@@ -52,7 +52,7 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
 
 /// Iterations of warm-up that chains of an average have at most: its covariance is known, and steps are learnt
 /// from fifty transitions each.
-constexpr int kAveragedWarmup = 60;
+constexpr int kAveragedWarmup = 30;
 
 /// An iteration of a chain.
 struct ChainIteration {

@@ -48,9 +48,9 @@ std::vector<int> pyramid(int resolution) {
   return levels;
 }
 
-ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    const std::vector<Position>& guesses, RunShared& shared,
-                    const std::function<void(const MapPoint&)>& keep) {
+MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& posteriors,
+                             const RunSettings& settings, const std::vector<Position>& guesses,
+                             RunShared& shared, const std::function<void(const MapPoint&)>& keep) {
   std::vector<std::unique_ptr<ControlledDensity>> controlled;
   std::vector<const LogDensity*> targets;
   for (const auto& posterior : posteriors) {
@@ -67,24 +67,26 @@ ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, c
     keep({posterior.values(best), lp});
   };
   Rng rng(settings.seed, 0);
-  const MapSearchResult result = search_map(targets, rng, search);
+  MapSearchResult result = search_map(targets, rng, search);
   const OptimizerResult& best = result.best;
   if (!std::isfinite(best.evaluation.log_density))
     throw UserError("No parameters render to anything comparable with the photo: check the priors.");
   report(shared, posterior, 1, best.position, best.evaluation.log_density);
-  shared.edit_status([&](RunStatus& status) {
-    status.message = basins_in_words(result.basins) + ", measuring how far good matches spread";
-  });
-  return mode_of(posterior, *targets.back(), best, result.basins);
+  shared.edit_status([&](RunStatus& status) { status.message = basins_in_words(result.basins); });
+  return result;
 }
 
-ModeFound mode_of(const Posterior& posterior, const LogDensity& target, const OptimizerResult& best,
-                  const std::vector<OptimizerResult>& basins) {
-  ModeFound found{{best.position, best.evaluation},
-                  std::make_shared<const Metric>(laplace_covariance(target, best.position))};
-  for (const OptimizerResult& basin : basins)
-    found.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
-  return found;
+ModeFound mode_of(const Posterior& posterior, const std::vector<OptimizerResult>& found, RunShared& shared) {
+  shared.edit_status([&](RunStatus& status) {
+    status.message = basins_in_words(found) + ", measuring how far good matches spread";
+  });
+  const OptimizerResult& best = found.front();
+  const ControlledDensity target(posterior, shared.control);
+  ModeFound mode{{best.position, best.evaluation},
+                 std::make_shared<const Metric>(laplace_covariance(target, best.position))};
+  for (const OptimizerResult& basin : found)
+    mode.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
+  return mode;
 }
 
 }  // namespace patina

@@ -35,19 +35,19 @@ struct ModeFound {
   bool has_learnt_again = false;             ///< what warm-up has come to; the emulator is of that then
 };
 
-/// Looks for the mode on the pyramid, coarse first, and keeps the status up to date with the best point so
+/// Looks for matches on the pyramid, coarse first, and keeps the status up to date with the best point so
 /// far.
 /// @param posteriors  one per level of the pyramid
 /// @param keep        called with that point as it becomes better, by any thread, one at a time
 /// @param guesses     where it looks first; with RunSettings::start "predict" almost only there
 /// @throws RunStopped
-ModeFound find_mode(const std::vector<std::unique_ptr<Posterior>>& posteriors, const RunSettings& settings,
-                    const std::vector<Position>& guesses, RunShared& shared,
-                    const std::function<void(const MapPoint& best)>& keep);
+MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& posteriors,
+                             const RunSettings& settings, const std::vector<Position>& guesses,
+                             RunShared& shared, const std::function<void(const MapPoint& best)>& keep);
 
 /// What a search ended in, as chains want it: with Laplace's covariance at the best.
-/// @param target  the posterior, under control
-ModeFound mode_of(const Posterior& posterior, const LogDensity& target, const OptimizerResult& best,
-                  const std::vector<OptimizerResult>& basins);
+/// @param found      on the posterior, at least one basin, best first
+/// @throws RunStopped
+ModeFound mode_of(const Posterior& posterior, const std::vector<OptimizerResult>& found, RunShared& shared);
 
 }  // namespace patina

@@ -284,16 +284,19 @@ ModeFound SamplerRun::search() {
     shared_.control.checkpoint();
     posteriors_.push_back(std::make_unique<Posterior>(search_settings(settings_, levels[i]), photo_));
   }
-  ModeFound found =
-      find_mode(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) { keep(best); });
+  const std::vector<OptimizerResult> found =
+      find_matches(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) {
+        keep(best);
+      }).basins;
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  if (!may_average()) return found;
   const double luck = settings_.errors == kAuto ? kDecidedByLuck : 0;
-  found = widened(*posteriors_.back(), found, irregularities(), luck, settings_.seed, shared_);
-  if (!found.wider) return found;
-  use(*found.wider);
-  show(found.mode.position);
-  return found;
+  if (may_average())
+    if (auto again = widened(*posteriors_.back(), found, irregularities(), luck, settings_.seed, shared_)) {
+      use(*again->wider);
+      show(again->mode.position);
+      return std::move(*again);
+    }
+  return mode_of(*posteriors_.back(), found, shared_);
 }
 
 void SamplerRun::keep(const MapPoint& best) {
@@ -322,7 +325,7 @@ Position SamplerRun::coarse_match() {
   std::vector<std::unique_ptr<Posterior>> coarse;
   coarse.push_back(coarsest());
   const auto keep_best = [this](const MapPoint& best) { keep(best); };
-  Position match = find_mode(coarse, settings_, guesses(), shared_, keep_best).mode.position;
+  Position match = find_matches(coarse, settings_, guesses(), shared_, keep_best).best.position;
   shared_.edit_status([](RunStatus& status) { status.search_fraction = 0; });  // photos are simulated again
   return match;
 }

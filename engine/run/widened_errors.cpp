@@ -46,17 +46,16 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
   return climbed;
 }
 
-ModeFound widened(const Posterior& by_hand, const ModeFound& found, IrregularityPool& pool, double luck,
-                  std::uint64_t seed, RunShared& shared) {
-  WiderErrors wider = measure(by_hand, found.mode.position, pool, seed, shared);
-  if (wider.luck < luck) return found;
+std::optional<ModeFound> widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found,
+                                 IrregularityPool& pool, double luck, std::uint64_t seed, RunShared& shared) {
+  assert(!found.empty());
+  WiderErrors wider = measure(by_hand, found.front().position, pool, seed, shared);
+  if (wider.luck < luck) return std::nullopt;
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
   std::vector<Position> ends;
-  for (const MapPoint& basin : found.basins) ends.push_back(posterior.position(basin.values));
-  assert(!ends.empty());
-  const std::vector<OptimizerResult> basins = climb_on(target, ends);
-  ModeFound again = mode_of(posterior, target, basins.front(), basins);
+  for (const OptimizerResult& basin : found) ends.push_back(basin.position);
+  ModeFound again = mode_of(posterior, climb_on(target, ends), shared);
   again.wider = std::move(wider);
   return again;
 }
