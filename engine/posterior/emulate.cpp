@@ -223,8 +223,10 @@ class Learner {
     return places;
   }
 
-  /// So many draws, hardly depending on each other, of the prior and the root of the emulated likelihood:
-  /// were they of the emulator itself, it would never learn of tails that it thinks too little of.
+  /// So many draws, hardly depending on each other, of the prior and the emulated likelihood to some power:
+  /// were all of the emulator itself, it would never learn of tails that it thinks too little of. From the
+  /// walkers' places in turn: were all from the mode, it would never learn that another match of its own is
+  /// none, and chains that come to it would stay (flake_4).
   /// @param beta  inverse temperature of the likelihood
   Eigen::MatrixXd softened_draws(int count, double beta) {
     constexpr int kChains = 4, kApart = 10;
@@ -241,7 +243,8 @@ class Learner {
     const Sample sample = patina::sample(
         wide, *kernel, settings,
         [&](Rng&) {
-          return Position{mode_(informed_), {}};
+          const Walker& walker = walkers_[next_start_++ % walkers_.size()];
+          return Position{walker.state.position.continuous(informed_), {}};
         },
         informed_laplace_);
     metric_ = with_informed(beta * pooled(sample));
@@ -327,6 +330,7 @@ class Learner {
   std::vector<Walker> walkers_;  ///< the first begins at the mode
   KnownResiduals known_;
   Emulator emulator_;
+  std::size_t next_start_ = 0;  ///< of softened_draws(), in turn
 };
 
 }  // namespace

@@ -85,7 +85,7 @@ std::unique_ptr<Kernel> EmulatedProposals::near(double path_length) const {
 }
 
 std::unique_ptr<Kernel> EmulatedProposals::until_taken(double path_length) const {
-  return make_rejection(moves(path_length), density_, kMovesFar);
+  return make_rejection(moves(path_length), density_, kMovesApart);
 }
 
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {

@@ -32,7 +32,7 @@ class EmulatedProposals {
   std::unique_ptr<Kernel> until_taken(double path_length) const;
 
  private:
-  static constexpr int kMovesFar = 50;
+  static constexpr int kMovesFar = 50, kMovesApart = 25;
   std::unique_ptr<Kernel> moves(double path_length) const;  ///< one transition
 
   Emulator emulator_;

@@ -75,10 +75,10 @@ std::unique_ptr<Kernel> make_two_stage(std::unique_ptr<Kernel> kernel, const Log
 /// that one: `moves` transitions of a kernel under it lead to a place, which the target takes with
 /// probability p / envelope, over and over until it takes one. A transition is then from one place taken to
 /// the next, and what a chain does whenever it is in a set has the chain's own distribution, restricted to
-/// that set (Kac 1947): the kernel need not be reversible. Where draws of the envelope are cheap and hardly
-/// depend on each other, nor do these: an evaluation of the target is worth p / envelope draws, and no place
-/// is ever stayed at. Where p / envelope is next to nothing, a transition takes as long.
-/// @param kernel    leaves the envelope invariant   @param envelope  of the target's coordinates, nowhere
+/// that set (Kac 1947). After a hundred places refused it stays where it was, which leaves a reversible
+/// kernel's way back as likely as the way there. Where draws of the envelope are cheap and hardly depend on
+/// each other, nor do these: an evaluation of the target is worth p / envelope draws.
+/// @param kernel    reversible, as all but nuts are   @param envelope  of the target's coordinates, nowhere
 /// below its density; outlives the kernel
 /// @throws std::invalid_argument unless moves >= 1
 std::unique_ptr<Kernel> make_rejection(std::unique_ptr<Kernel> kernel, const LogDensity& envelope, int moves);

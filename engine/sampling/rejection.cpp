@@ -20,28 +20,28 @@ class Rejection final : public Kernel {
                       Rng& rng) const override {
     ChainState there{state.position, value_finite(envelope_, state.position)};
     Journey journey;
-    int evaluations = 1;
-    double taken = 0;
-    for (int tries = 1;; ++tries) {
+    TransitionInfo info{.second_stage = 0};
+    for (int tries = 1; tries <= kMostTries && !info.accepted; ++tries) {
       for (int i = 0; i < moves_; ++i) journey.add(kernel_->step(envelope_, settings, there, rng));
       const Evaluation here = value_finite(target, there.position);
-      ++evaluations;
       const double share = std::min(std::exp(here.log_density - there.evaluation.log_density), 1.0);
-      taken += share;
-      if (!(rng.uniform() < share)) continue;
-      state = {std::move(there.position), here};
-      TransitionInfo info = journey.info();
-      info.accepted = true;
-      info.evaluations += evaluations;
-      info.second_stage = taken / tries;
-      info.energy = -state.evaluation.log_density;
-      return info;
+      info.second_stage += (share - info.second_stage) / tries;
+      info.accepted = rng.uniform() < share;
+      if (info.accepted) state = {there.position, here};
+      ++info.evaluations;
     }
+    info.move = journey.info().move;
+    info.accept_probability = journey.info().accept_probability;
+    info.evaluations += journey.info().evaluations + 1;
+    info.energy = -state.evaluation.log_density;
+    return info;
   }
 
   double target_acceptance() const override { return kernel_->target_acceptance(); }
 
  private:
+  static constexpr int kMostTries = 100;
+
   std::unique_ptr<Kernel> kernel_;
   const LogDensity& envelope_;
   int moves_;
