@@ -71,8 +71,8 @@ void FitOptions::add_model(CLI::App& command) {
       "What the network runs on: cpu, or cuda, a graphics card, where Patina was built with a libtorch for "
       "it");
   add(command, "--errors", &RunSettings::errors,
-      "What renders may be off by: auto (averaged where other irregularities would change the log density of "
-      "the best match by a nat or more, else paper), paper (set by hand), averaged (and by what a photo's "
+      "What renders may be off by: auto (averaged where a material has places of a texture, as leather, "
+      "plaster, wood and flake have, else paper), paper (set by hand), averaged (and by what a photo's "
       "irregularities do, renders being averaged over theirs) or calibrated (learnt from simulated photos; "
       "only where the photo is not like these is the best match searched for)");
   add(command, "--resolution", &RunSettings::resolution,

@@ -65,10 +65,10 @@ Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& sta
                   const EmulateSettings& settings);
 
 /// What the posterior is on average over irregularities (VettedDensity): learnt from renders of
-/// settings.others about the mode and about the starts, then, round by round, from draws of the emulator, its
-/// likelihood softened, until most of these (EmulateSettings::good) are about as deep as it promises. No
-/// chains come along: of one z's they know the pits, not the mean.
-/// @return none if in the end only few draws are (EmulateSettings::poor)
+/// settings.others about the mode and about the starts, then, round by round, from draws of the emulator that
+/// begin at these, its likelihood softened at first, until most of them (EmulateSettings::good) are about as
+/// deep as it promises. No chains come along: of one z's they know the pits, not the mean.
+/// @return none if in the end only few draws are taken (EmulateSettings::poor)
 std::optional<AveragedEmulator> emulate_average(const Posterior& posterior,
                                                 const std::vector<ChainState>& starts, const Metric& laplace,
                                                 const EmulateSettings& settings);

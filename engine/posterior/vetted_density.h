@@ -17,7 +17,7 @@ class Archive;
 /// off.
 struct AveragedEmulator {
   Emulator emulator;           ///< of the informed coordinates
-  double allowance = 0;        ///< nats
+  double allowance = 0;        ///< nats; below zero a render decides more often than polynomials
   Eigen::MatrixXd covariance;  ///< of the average, of all coordinates, about: what chains may begin with
 
   /// Whether it can be of so many coordinates, and so many of them that are emulated.
@@ -30,8 +30,8 @@ struct AveragedEmulator {
 /// z, a wrinkle at each place, is no part of it; and a render with one z has a veto where polynomials promise
 /// what is not there,
 ///   log p(u) = min(log p_emulated(u), log p_z(u) + allowance)
-/// As it is nowhere above the emulated density, proposals from that leave no place where a chain could stay
-/// (an independence sampler with bounded weights is uniformly ergodic: Mengersen & Tweedie 1996).
+/// As it is nowhere above the emulated density, it can be drawn from by rejection (make_rejection): draws
+/// hardly depend on each other, and there are no pits to stay in.
 class VettedDensity final : public LogDensity {
  public:
   /// @param by_render  the posterior given one z   @param informed  its coordinates that are emulated

@@ -15,14 +15,14 @@ constexpr std::uint64_t kStream = 0x7769'6465;  // apart from what calibration s
 bool WiderErrors::are_of(Eigen::Index entries) const {
   const Eigen::Index n = variances.size();
   if (directions.rows() != entries || directions.cols() != n || !directions.allFinite() ||
-      !variances.allFinite() || !(variances.array() >= 0).all() || !(luck >= 0) || !std::isfinite(luck))
+      !variances.allFinite() || !(variances.array() >= 0).all())
     return false;
   constexpr double kRounding = 1e-6;
   const Eigen::MatrixXd products = directions.transpose() * directions;
   return (products - Eigen::MatrixXd::Identity(n, n)).norm() <= kRounding;
 }
 
-void WiderErrors::serialise(Archive& archive) { archive(directions, variances, luck); }
+void WiderErrors::serialise(Archive& archive) { archive(directions, variances); }
 
 WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at, int photos) {
   constexpr double kTimes = 2;       // the photo's and the render's
@@ -31,8 +31,6 @@ WiderErrors errors_of_irregularities(const Simulator& simulator, const Position&
   const Region there{centre, Eigen::MatrixXd::Zero(centre.size(), centre.size())};
   const Eigen::VectorXd precision = simulator.posterior.hand_set_errors().cwiseInverse();
   Eigen::MatrixXd scatter = precision.asDiagonal() * simulate(simulator, there, photos, kStream).summaries;
-  const Eigen::VectorXd observed = precision.cwiseProduct(simulator.posterior.photo_summary());
-  const Eigen::VectorXd misfits = (scatter.colwise() - observed).colwise().squaredNorm() / 2;
   scatter.colwise() -= scatter.rowwise().mean().eval();
   scatter *= std::sqrt(kTimes / (photos - 1));
   // Entries are many and photos few: the covariance's axes by those of the products between photos.
@@ -40,7 +38,7 @@ WiderErrors errors_of_irregularities(const Simulator& simulator, const Position&
   const Eigen::Index n = (axes.eigenvalues().array() > kMatters).count();
   const Eigen::VectorXd variances = axes.eigenvalues().tail(n);
   return {scatter * axes.eigenvectors().rightCols(n) * variances.cwiseSqrt().cwiseInverse().asDiagonal(),
-          variances, std::sqrt((misfits.array() - misfits.mean()).square().sum() / (photos - 1))};
+          variances};
 }
 
 }  // namespace patina

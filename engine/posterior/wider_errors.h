@@ -12,10 +12,9 @@ class Archive;
 struct WiderErrors {
   Eigen::MatrixXd directions;  ///< entries x n, orthonormal, in units of the hand-set errors
   Eigen::VectorXd variances;   ///< n, what each adds to the hand-set errors' 1
-  double luck = 0;  ///< nats: the sd over irregularities of the log density by hand-set errors, at that place
 
   /// Half of them: where renders are averaged over irregularities, the photo's alone are left.
-  WiderErrors of_the_photo() const { return {directions, variances / 2, luck}; }
+  WiderErrors of_the_photo() const { return {directions, variances / 2}; }
 
   /// Whether they can be of a summary of so many entries: sizes, numbers that are finite, directions.
   bool are_of(Eigen::Index entries) const;

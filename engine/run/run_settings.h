@@ -44,8 +44,8 @@ struct RunSettings {
   /// photo's irregularities do at the best match, renders being averaged over theirs
   /// (posterior/vetted_density.h), or, where proposals are not emulated, by what both do
   /// (posterior/wider_errors.h). "calibrated": learnt from simulated photos (posterior/calibrate.h). "auto":
-  /// averaged where proposals are emulated and other irregularities change the log density of the best match
-  /// by a nat or more (sd), else paper; Manifest::errors tells which.
+  /// averaged where proposals are emulated and the material has irregularities that gradients do not move,
+  /// else paper; Manifest::errors tells which.
   std::string errors = kAuto;
   std::string kernel = kAuto;      ///< of run_kernel_names(); Manifest::kernel tells what "auto" came to
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()

@@ -39,9 +39,6 @@
 namespace patina {
 namespace {
 
-/// Nats, of the best match's log density over irregularities: from there on they are averaged over.
-constexpr double kDecidedByLuck = 1;
-
 bool is_emulated(const ModeFound& found) { return found.emulator || found.average; }
 
 void check_free_parameters(const Posterior& posterior) {
@@ -247,7 +244,7 @@ void SamplerRun::check_is_where_it_was() const {
     refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
 }
 
-bool SamplerRun::may_average() const {
+bool SamplerRun::averages() const {
   return settings_.errors == "averaged" ||
          (settings_.errors == kAuto && emulates_ && has_jagged(*posteriors_.back()));
 }
@@ -289,14 +286,11 @@ ModeFound SamplerRun::search() {
         keep(best);
       }).basins;
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  const double luck = settings_.errors == kAuto ? kDecidedByLuck : 0;
-  if (may_average())
-    if (auto again = widened(*posteriors_.back(), found, irregularities(), luck, settings_.seed, shared_)) {
-      use(*again->wider);
-      show(again->mode.position);
-      return std::move(*again);
-    }
-  return mode_of(*posteriors_.back(), found, shared_);
+  if (!averages()) return mode_of(*posteriors_.back(), found, shared_);
+  ModeFound again = widened(*posteriors_.back(), found, irregularities(), settings_.seed, shared_);
+  use(*again.wider);
+  show(again.mode.position);
+  return again;
 }
 
 void SamplerRun::keep(const MapPoint& best) {

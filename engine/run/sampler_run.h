@@ -68,7 +68,7 @@ class SamplerRun final : public DrawSource {
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
 
-  bool may_average() const;  ///< as far as is known before irregularities are measured
+  bool averages() const;  ///< over irregularities
   /// That simulated photos, and the renders that an average is learnt from, have.
   IrregularityPool& irregularities();
   void sample(ModeFound found);

@@ -46,11 +46,10 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
   return climbed;
 }
 
-std::optional<ModeFound> widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found,
-                                 IrregularityPool& pool, double luck, std::uint64_t seed, RunShared& shared) {
+ModeFound widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found, IrregularityPool& pool,
+                  std::uint64_t seed, RunShared& shared) {
   assert(!found.empty());
   WiderErrors wider = measure(by_hand, found.front().position, pool, seed, shared);
-  if (wider.luck < luck) return std::nullopt;
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
   std::vector<Position> ends;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/run/mode_search.h"
@@ -17,10 +16,9 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
 /// What a search found by hand-set errors, found again by errors that are wider by what irregularities do at
 /// its best match: errors_of_irregularities(), and climbs on from its basins under them. On all processors.
 /// @param by_hand  the posterior that was searched   @param found  there, best first, at least one
-/// @param luck     nats; none where irregularities do less (WiderErrors::luck)
 /// @return         with the wider errors
 /// @throws RunStopped
-std::optional<ModeFound> widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found,
-                                 IrregularityPool& pool, double luck, std::uint64_t seed, RunShared& shared);
+ModeFound widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found, IrregularityPool& pool,
+                  std::uint64_t seed, RunShared& shared);
 
 }  // namespace patina

@@ -41,15 +41,16 @@ bool edit_errors(std::string& errors) {
     if (ImGui::RadioButton(label, errors == name)) errors = name;
     tooltip(what);
   };
-  offer("auto", "As the photo needs",
-        "Averaged over irregularities where the best match is one of its grain's luck, else as usual");
+  offer("auto", "As the material needs",
+        "Averaged over irregularities where a material has grain (leather, plaster, wood, flake), else as "
+        "usual");
   offer(
       "paper", "As usual between renders and photos",
       "Set by hand. The best match is searched for, and the render looks most like the photo; the intervals "
       "are as wide as such matches usually need");
   offer("averaged", "Averaged over irregularities",
         "As usual, and wider where other grain of the same material changes what is compared: a photo's own "
-        "nobody knows. Some two thousand renders with grains of their own tell what a match looks like "
+        "nobody knows. Some three thousand renders with grains of their own tell what a match looks like "
         "whatever its grain. Draws of leather, plaster and wood agree within a minute or two");
   offer(
       "calibrated", "Learnt from simulated photos",

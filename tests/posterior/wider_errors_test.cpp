@@ -118,9 +118,6 @@ TEST(ErrorsOfIrregularities, AreTwiceTheScatterOfPhotosThatOtherIrregularitiesMa
   }
   Eigen::MatrixXd scatter =
       posterior.hand_set_errors().cwiseInverse().asDiagonal() * posterior.simulated_summaries(photos);
-  const Eigen::VectorXd photo = posterior.in_errors(posterior.photo_summary());
-  const Eigen::ArrayXd misfits = (scatter.colwise() - photo).colwise().squaredNorm().array() / 2;
-  EXPECT_NEAR(wider.luck / std::sqrt((misfits - misfits.mean()).square().mean()), 1, 0.25);
   scatter.colwise() -= scatter.rowwise().mean().eval();
   const Eigen::MatrixXd twice = 2 * scatter * scatter.transpose() / (kPhotos - 1);
   ASSERT_GT(twice.trace(), 1);  // there is something to measure
@@ -149,9 +146,6 @@ TEST(WiderErrors, ThatAreDamagedOrOfAnotherSummaryAreNoticed) {
   EXPECT_FALSE(damaged.are_of(12));
   damaged = wider;
   damaged.variances.conservativeResize(1);
-  EXPECT_FALSE(damaged.are_of(12));
-  damaged = wider;
-  damaged.luck = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(damaged.are_of(12));
   damaged = wider;
   damaged.directions.col(0) *= 2;

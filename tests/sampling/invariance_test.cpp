@@ -295,6 +295,44 @@ TEST(Invariance, is_lost_where_the_likeness_decides) {
   EXPECT_GT(after_transitions(OneStage(), SkewedTarget(), 2).worst, 1);
 }
 
+/// The target's own density, which is below 1, to a power, and a factor.
+FunctionDensity to_a_power(double power, double log_factor) {
+  return {3,
+          [=](const Position& p) {
+            Evaluation e = SkewedTarget().evaluate(p);
+            return Evaluation{power * e.log_density + log_factor, power * e.gradient};
+          },
+          {3}};
+}
+
+TEST(Invariance, is_kept_by_rejection_under_a_density_that_is_nowhere_below) {
+  const SkewedTarget target;
+  const FunctionDensity envelope = to_a_power(0.8, 0);
+  for (const char* name : {"mh", "mala", "hmc"})
+    for (const int moves : {1, 4}) {
+      const auto kernel = make_rejection(make_kernel(name, envelope, 0.7, 0.3), envelope, moves);
+      const Outcome outcome = after_transitions(*kernel, target, 2);
+      EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name << ", " << moves;
+      EXPECT_GT(outcome.moved, 0.5) << name;
+      EXPECT_EQ(outcome.accepted, 1) << "a place is taken in the end";
+    }
+}
+
+TEST(Invariance, is_kept_where_rejection_gives_up_and_stays) {
+  const FunctionDensity envelope = to_a_power(0.8, 5);
+  const auto kernel = make_rejection(make_kernel("mh", envelope, 0.7, 0.3), envelope, 1);
+  const Outcome outcome = after_transitions(*kernel, SkewedTarget(), 1);
+  EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+  EXPECT_GT(outcome.accepted, 0.05);
+  EXPECT_LT(outcome.accepted, 0.5);
+}
+
+TEST(Invariance, is_lost_where_the_density_is_below_the_target) {
+  const FunctionDensity below = to_a_power(0.8, -3);
+  const auto kernel = make_rejection(make_kernel("hmc", below, 0.7, 0.3), below, 4);
+  EXPECT_GT(after_transitions(*kernel, SkewedTarget(), 2).worst, 1);
+}
+
 TEST(Invariance, is_lost_without_the_jacobian) {
   const SkewedTarget wrong(/*with_jacobian=*/false);
   for (const char* name :
