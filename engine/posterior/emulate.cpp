@@ -225,8 +225,8 @@ class Learner {
 
   /// So many draws, hardly depending on each other, of the prior and the emulated likelihood to some power:
   /// were all of the emulator itself, it would never learn of tails that it thinks too little of. From the
-  /// walkers' places in turn: were all from the mode, it would never learn that another match of its own is
-  /// none, and chains that come to it would stay (flake_4).
+  /// walkers' places, any of them: were all from the mode, it would never learn that another match of its own
+  /// is none, and chains that come to it would stay (flake_4).
   /// @param beta  inverse temperature of the likelihood
   Eigen::MatrixXd softened_draws(int count, double beta) {
     constexpr int kChains = 4, kApart = 10;
@@ -242,8 +242,8 @@ class Learner {
         make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
     const Sample sample = patina::sample(
         wide, *kernel, settings,
-        [&](Rng&) {
-          const Walker& walker = walkers_[next_start_++ % walkers_.size()];
+        [&](Rng& rng) {
+          const Walker& walker = walkers_[static_cast<std::size_t>(rng.below(kEmulatorWalkers))];
           return Position{walker.state.position.continuous(informed_), {}};
         },
         informed_laplace_);
@@ -330,7 +330,6 @@ class Learner {
   std::vector<Walker> walkers_;  ///< the first begins at the mode
   KnownResiduals known_;
   Emulator emulator_;
-  std::size_t next_start_ = 0;  ///< of softened_draws(), in turn
 };
 
 }  // namespace

@@ -314,7 +314,7 @@ TEST(Invariance, is_kept_by_rejection_under_a_density_that_is_nowhere_below) {
       const Outcome outcome = after_transitions(*kernel, target, 2);
       EXPECT_LT(outcome.worst, 1) << outcome.worst_name << " with " << name << ", " << moves;
       EXPECT_GT(outcome.moved, 0.5) << name;
-      EXPECT_EQ(outcome.accepted, 1) << "a place is taken in the end";
+      EXPECT_GT(outcome.accepted, 0.999) << "a place is taken in the end";
     }
 }
 
