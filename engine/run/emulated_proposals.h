@@ -50,8 +50,8 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
                                               const Metric& laplace, const std::vector<MapPoint>& basins,
                                               const RunSettings& settings, RunShared& shared);
 
-/// Iterations of warm-up that chains of an average have at most: its covariance is known, and steps are learnt
-/// from fifty transitions each.
+/// Iterations of warm-up that chains of an average have at most: its covariance is known, and each learns its
+/// step from dozens of transitions.
 constexpr int kAveragedWarmup = 30;
 
 /// An iteration of a chain.
