@@ -72,7 +72,6 @@ MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& post
   if (!std::isfinite(best.evaluation.log_density))
     throw UserError("No parameters render to anything comparable with the photo: check the priors.");
   report(shared, posterior, 1, best.position, best.evaluation.log_density);
-  shared.edit_status([&](RunStatus& status) { status.message = basins_in_words(result.basins); });
   return result;
 }
 
