@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/posterior/symmetric_kernel.h"
 #include "engine/sampling/archive.h"
 
 namespace patina {
@@ -82,7 +83,8 @@ Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, const Eigen::VectorXd&
 Evaluation Emulator::evaluate(const Position& position) const {
   const Eigen::VectorXd& u = position.continuous;
   const Eigen::VectorXd w = whitening_ * (axes_.values(u) - centre_), f = features(w);
-  const Eigen::VectorXd pull = weights_.selfadjointView<Eigen::Lower>() * f;  // half of the matrix is read
+  Eigen::VectorXd pull(f.size());
+  symmetric::multiply(weights_.data(), f.data(), pull.data(), f.size());
   const Eigen::VectorXd by_axis = whitening_.transpose() * slope(w, pull);
   const double misfit = f.dot(pull) / 2, beyond = std::max(misfit - followed_, 0.0);
   const double flat = std::min(misfit, followed_) + tail_ * std::log1p(beyond / tail_);
