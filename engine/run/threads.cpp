@@ -1,28 +1,17 @@
 #include "engine/run/threads.h"
 
 #include <ATen/Parallel.h>
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <mutex>
 #include <thread>
 
+#include "engine/run/openblas.h"
+
 namespace patina {
-namespace {
-
-/// OpenBLAS has a pool of its own behind one lock: chains would queue for it. Other BLAS libraries lack the
-/// function.
-void keep_blas_single_threaded() {
-  using SetThreads = void (*)(int);
-  if (auto* symbol = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-    reinterpret_cast<SetThreads>(symbol)(1);
-}
-
-}  // namespace
-
 void use_tensor_threads(int count) {
   static std::once_flag once;
-  std::call_once(once, keep_blas_single_threaded);
+  std::call_once(once, prepare_openblas);
   at::set_num_threads(count);
 }
 

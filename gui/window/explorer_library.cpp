@@ -13,7 +13,7 @@ Explore load() {
   const auto bin = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::filesystem::path file = bin.parent_path() / PATINA_EXPLORER_LIBRARY;
   // Every symbol now: what is missing must not end the program in the middle of something. Global, for the
-  // engine looks up its BLAS by name (engine/run/threads.cpp).
+  // engine looks up its BLAS by name (engine/run/openblas.cpp).
   void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
   void* const entry = library != nullptr ? ::dlsym(library, kExploreName) : nullptr;
   if (entry == nullptr)
