@@ -16,7 +16,8 @@ struct GoldPlan {
   TrialPlan trial;  ///< of each; its seed must be no other trial's
 };
 
-/// The default, and MALA in a dense metric with two thirds of the default's refresh moves.
+/// The default, and MALA in a dense metric with two thirds of the default's refresh moves, both of the target
+/// itself: by hand-set errors.
 std::vector<ChartSetting> gold_settings(const ChartSetting& usual);
 
 /// A quantity in the gold standard.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/error.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
 #include "engine/posterior/emulated_moves.h"
@@ -82,9 +81,10 @@ ChartProblem::Learnt PhotoProblem::learn(const ChartSetting&, std::uint64_t seed
           std::move(found.laplace)};
 }
 
-ChartProblem::Averaged PhotoProblem::average(const ChartSetting& setting, const std::vector<ChainState>& ends,
-                                             std::uint64_t seed,
-                                             const std::function<void()>& evaluated) const {
+std::optional<ChartProblem::Averaged> PhotoProblem::average(const ChartSetting& setting,
+                                                            const std::vector<ChainState>& ends,
+                                                            std::uint64_t seed,
+                                                            const std::function<void()>& evaluated) const {
   const auto pool = make_pool(posterior_->table(), kSimulatedSeeds, kIrregularityPhotos);
   EmulateSettings settings = learning(seed, evaluated);
   settings.others = pool.get();
@@ -108,13 +108,13 @@ ChartProblem::Averaged PhotoProblem::average(const ChartSetting& setting, const 
   const std::vector<ChainState> starts = emulator_starts(
       *by_render, *by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
   const auto made = emulate_average(*by_render, starts, laplace, settings);
-  if (!made) throw UserError("Polynomials do not follow the renders about this match.");
+  if (!made) return std::nullopt;
   auto target = std::make_unique<VettedDensity>(*made, by_render, informed());
   auto kernel = make_emulated_kernel(*target, setting.path_length);
   const Position& mode = climbed.front().position;
   ChainState begin{mode, target->evaluate(mode)};
-  return {{std::move(target), std::move(begin), std::make_shared<const Metric>(made->covariance)},
-          std::move(kernel)};
+  return Averaged{{std::move(target), std::move(begin), std::make_shared<const Metric>(made->covariance)},
+                  std::move(kernel)};
 }
 
 Emulation PhotoProblem::emulate(const ChartSetting&, const std::vector<ChainState>& starts,

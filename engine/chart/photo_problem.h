@@ -24,8 +24,8 @@ class PhotoProblem final : public ChartProblem {
   std::vector<std::unique_ptr<LogDensity>> targets(const ChartSetting& setting) const override;
   Learnt learn(const ChartSetting& setting, std::uint64_t seed,
                const std::function<void()>& simulated) const override;
-  Averaged average(const ChartSetting& setting, const std::vector<ChainState>& ends, std::uint64_t seed,
-                   const std::function<void()>& evaluated) const override;
+  std::optional<Averaged> average(const ChartSetting& setting, const std::vector<ChainState>& ends,
+                                  std::uint64_t seed, const std::function<void()>& evaluated) const override;
   Emulation emulate(const ChartSetting& setting, const std::vector<ChainState>& starts, const Metric& laplace,
                     std::uint64_t seed, const std::function<void()>& evaluated) const override;
   Emulator emulate_about(const ChartSetting& setting, const Eigen::MatrixXd& places,

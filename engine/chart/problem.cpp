@@ -21,8 +21,9 @@ ChartProblem::Learnt ChartProblem::learn(const ChartSetting& setting, std::uint6
   throw std::invalid_argument("nothing can be learnt of this target for '" + setting.name + "'");
 }
 
-ChartProblem::Averaged ChartProblem::average(const ChartSetting& setting, const std::vector<ChainState>&,
-                                             std::uint64_t, const std::function<void()>&) const {
+std::optional<ChartProblem::Averaged> ChartProblem::average(const ChartSetting& setting,
+                                                            const std::vector<ChainState>&, std::uint64_t,
+                                                            const std::function<void()>&) const {
   throw std::invalid_argument("this target cannot be averaged for '" + setting.name + "'");
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,9 @@ class ChartProblem {
   };
   /// @param ends       that a search of the target ended in, best first
   /// @param evaluated  called after each evaluation, from any thread; what it throws ends them
-  /// @throws UserError where nothing follows the target's averages
-  virtual Averaged average(const ChartSetting& setting, const std::vector<ChainState>& ends,
-                           std::uint64_t seed, const std::function<void()>& evaluated) const;
+  /// @return           none where nothing follows the target's averages
+  virtual std::optional<Averaged> average(const ChartSetting& setting, const std::vector<ChainState>& ends,
+                                          std::uint64_t seed, const std::function<void()>& evaluated) const;
 
   /// An emulator of the target's informed coordinates, where a setting's kernel proposes by one: emulate().
   /// @param evaluated  called after each evaluation, from any thread; what it throws ends them

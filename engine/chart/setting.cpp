@@ -22,9 +22,10 @@ class Matrix {
  public:
   explicit Matrix(const ChartTarget& target)
       : target_(target),
-        usual_(default_setting(target.has_jagged)),
-        settings_{default_setting(target.has_jagged, target.can_emulate)} {
+        usual_(default_setting({.has_jagged = target.has_jagged})),
+        settings_{default_setting(target)} {
     if (!target.can_emulate) return;
+    if (target.can_average) settings_.push_back(by_hand(target));
     settings_.push_back(usual_);
     settings_.back().name = usual_.kernel;
   }
@@ -71,14 +72,6 @@ class Matrix {
     if (target_.can_learn) add<std::string>("calibrated errors", &ChartSetting::errors, "calibrated");
   }
 
-  void add_averaged() {
-    if (target_.can_average)
-      add("averaged errors", [](ChartSetting& setting) {
-        setting.errors = "averaged";
-        setting.kernel = kEmulated;
-      });
-  }
-
   void add_precision() {
     if (target_.can_round) add<std::string>("bfloat16", &ChartSetting::precision, "bfloat16");
   }
@@ -86,6 +79,13 @@ class Matrix {
   std::vector<ChartSetting> settings() const { return settings_; }
 
  private:
+  static ChartSetting by_hand(ChartTarget target) {
+    target.can_average = false;
+    ChartSetting setting = default_setting(target);
+    setting.name = kHandSet;
+    return setting;
+  }
+
   bool can_look_at(int coarser) const {
     return coarser >= target_.least_resolution && coarser < target_.resolution;
   }
@@ -115,7 +115,6 @@ std::vector<ChartSetting> quick(const ChartTarget& target) {
   matrix.add_proposals(2);
   matrix.add_levels(3);
   matrix.add_precision();
-  matrix.add_averaged();
   matrix.add_calibrated();
   return with_warmup(matrix.settings(), kQuickWarmup);
 }
@@ -137,7 +136,6 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
     matrix.add<std::string>(std::string(summary) + " alone", &ChartSetting::summary, summary);
   matrix.add<std::string>("start: prior", &ChartSetting::start, "prior");
   matrix.add_precision();
-  matrix.add_averaged();
   matrix.add_calibrated();
   if (target.has_discrete) matrix.add<std::string>("single levels", &ChartSetting::discrete, "single");
   return matrix.settings();
@@ -145,20 +143,20 @@ std::vector<ChartSetting> full(const ChartTarget& target) {
 
 }  // namespace
 
-ChartSetting default_setting(bool has_jagged, bool can_emulate) {
+ChartSetting default_setting(const ChartTarget& target) {
   const RunSettings run;
   ChartSetting setting;
   setting.name = kDefaultSetting;
-  setting.kernel = kernel_in_use(run, can_emulate);
+  setting.kernel = kernel_in_use(run, target.can_emulate);
   setting.metric = run.metric;
   setting.discrete = run.discrete;
   setting.start = run.start;
-  setting.errors = "paper";  // what settings are compared on
+  setting.errors = target.can_average ? "averaged" : "paper";
   setting.precision = run.precision;
   setting.chains = run.chains;
-  setting.warmup = run.warmup.value_or(usual_warmup(has_jagged && !can_emulate));
+  setting.warmup = run.warmup.value_or(usual_warmup(target.has_jagged && !target.can_emulate));
   setting.alpha = run.alpha;
-  setting.refresh = run.refresh.value_or(usual_refresh(has_jagged));
+  setting.refresh = run.refresh.value_or(usual_refresh(target.has_jagged));
   setting.path_length = run.path_length;
   return setting;
 }

@@ -30,11 +30,7 @@ struct ChartSetting {
 inline constexpr int kMovesAProposal = 4;
 
 inline constexpr const char* kDefaultSetting = "default";
-
-/// How a run draws that is told nothing (RunSettings), named kDefaultSetting.
-/// @param has_jagged   whether its target has jagged coordinates
-/// @param can_emulate  and whether it can be emulated
-ChartSetting default_setting(bool has_jagged = false, bool can_emulate = false);
+inline constexpr const char* kHandSet = "hand-set errors";
 
 /// What of a target decides which settings make sense.
 struct ChartTarget {
@@ -50,9 +46,14 @@ struct ChartTarget {
   bool can_average = false;  ///< see ChartProblem::average()
 };
 
+/// How a run draws that is told nothing (RunSettings), named kDefaultSetting. Where the target can be
+/// averaged over irregularities, it is.
+ChartSetting default_setting(const ChartTarget& target = {});
+
 /// "quick": the default and what differs from it in one respect, one of each, all after a warm-up of 500
 /// iterations; "full": all kernels with all metrics, and several of each respect. Where the default's
-/// proposals are emulated, the others differ from hmc, which is a setting of its own then.
+/// proposals are emulated, the others differ from hmc, which is a setting of its own then; where it is
+/// averaged over irregularities, emulated proposals on the target itself are one as well, kHandSet.
 std::vector<std::string> chart_presets();
 
 /// @throws std::invalid_argument for a name that is not among chart_presets()

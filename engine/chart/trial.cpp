@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/chart/metered_density.h"
@@ -56,7 +57,7 @@ class Running {
     for (const auto& target : targets_) metered_.push_back(std::make_unique<MeteredDensity>(*target, meter_));
     const MapSearchResult found = search();
     for (const OptimizerResult& basin : found.basins) basins_.push_back({basin.position, basin.evaluation});
-    if (setting_.errors == "averaged") return average_and_draw();
+    if (setting_.errors == "averaged" && average_and_draw()) return;
     const LogDensity& target = *metered_.back();
     const Metric laplace(laplace_covariance(target, found.best.position));
     end_search();
@@ -102,12 +103,16 @@ class Running {
     draw(target, learnt.mode, *learnt.laplace, *problem_.kernel(setting_, target), setting_.warmup);
   }
 
-  void average_and_draw() {
+  /// @return  whether there is an average; where there is none, a run draws by hand-set errors
+  bool average_and_draw() {
     end_search();
-    const auto [learnt, kernel] =
+    averaged_ =
         problem_.average(setting_, basins_, plan_.seed, [&] { meter_.count(/*with_gradient=*/false); });
+    if (!averaged_) return false;
+    const auto& [learnt, kernel] = *averaged_;
     draw(MeteredDensity(*learnt.target, meter_), learnt.mode, *learnt.laplace, *kernel,
          std::min(setting_.warmup, kAveragedWarmup));
+    return true;
   }
 
   void end_search() {
@@ -146,8 +151,7 @@ class Running {
             .position;
       return overdispersed_start(target, mode, laplace, rng).position;
     };
-    settings.metric =
-        metric_in_use(metric_kind(setting_.metric), made_.emulator || setting_.errors == "averaged");
+    settings.metric = metric_in_use(metric_kind(setting_.metric), made_.emulator || averaged_);
     const Metric first(restricted(laplace.covariance(), settings.metric));
     std::unique_ptr<Kernel> again;
     settings.kernel_of_draws = [&]() -> const Kernel& {
@@ -214,8 +218,9 @@ class Running {
   std::vector<std::unique_ptr<LogDensity>> targets_ = problem_.targets(setting_);
   std::unique_ptr<LogDensity> proposer_;  ///< where there are two stages
   std::vector<std::unique_ptr<MeteredDensity>> metered_;
-  std::vector<ChainState> basins_;               ///< that the search ended in
-  Emulation made_;                               ///< of warm-up
+  std::vector<ChainState> basins_;  ///< that the search ended in
+  Emulation made_;                  ///< of warm-up
+  std::optional<ChartProblem::Averaged> averaged_;
   std::vector<std::vector<ChainState>> warmup_;  ///< each chain's, where there is an emulator
 };
 

@@ -20,6 +20,22 @@ std::vector<std::size_t> front_of(const std::vector<DrawingCost>& costs) {
   return pareto_front(points);
 }
 
+bool may_emulate(const RunSettings& run) {
+  return run.errors != "calibrated" && (run.kernel == kAuto || run.kernel == kEmulated);
+}
+
+bool same_kernel(const ChartSetting& setting, const RunSettings& run) {
+  if (run.kernel != kAuto) return setting.kernel == run.kernel;
+  return setting.name == kDefaultSetting || setting.kernel == (may_emulate(run) ? kEmulated : "hmc");
+}
+
+/// What a run takes that is told nothing of errors, the default has; but it averages nothing that it cannot
+/// emulate.
+bool same_errors(const ChartSetting& setting, const RunSettings& run) {
+  if (run.errors != kAuto) return setting.errors == run.errors;
+  return may_emulate(run) ? setting.name == kDefaultSetting : setting.errors == "paper";
+}
+
 }  // namespace
 
 std::optional<CostChart> read_cost_chart(const std::filesystem::path& file) {
@@ -47,12 +63,9 @@ std::optional<std::size_t> find_cost(const CostChart& chart, const RunSettings& 
   const auto alike = [&](const DrawingCost& cost) {
     const ChartSetting& s = cost.setting;
     const bool own_posterior = s.resolution == 0 && s.summary.empty() && s.proposals == 0;
-    const bool same_errors = s.errors == settings.errors || (s.errors == "paper" && settings.errors == kAuto);
-    return own_posterior && same_errors && s.precision == settings.precision &&
-           (settings.kernel == kAuto ? s.name == kDefaultSetting || s.errors == "averaged"
-                                     : s.kernel == settings.kernel) &&
-           s.metric == settings.metric && s.discrete == settings.discrete && s.chains == settings.chains &&
-           s.alpha == settings.alpha && s.refresh == settings.refresh &&
+    return own_posterior && same_errors(s, settings) && s.precision == settings.precision &&
+           same_kernel(s, settings) && s.metric == settings.metric && s.discrete == settings.discrete &&
+           s.chains == settings.chains && s.alpha == settings.alpha && s.refresh == settings.refresh &&
            s.path_length == settings.path_length;
   };
   const auto found = std::ranges::find_if(chart.costs, alike);

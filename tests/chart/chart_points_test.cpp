@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/chart/gold_standard.h"
 #include "engine/error.h"
 #include "engine/io/temporary_folder.h"
+#include "engine/run/run_settings.h"
 #include "engine/sampling/rng.h"
 
 namespace patina {
@@ -169,7 +171,19 @@ TEST(ChartSettings, average_over_irregularities_where_there_are_any) {
       const auto settings = preset_settings(
           preset, {.resolution = 64, .has_jagged = true, .can_emulate = true, .can_average = can_average});
       EXPECT_EQ(std::ranges::count(settings, "averaged", &ChartSetting::errors), can_average) << preset;
+      EXPECT_EQ(settings.front().errors, can_average ? "averaged" : "paper") << "the default is a run's";
+      const auto by_hand = std::ranges::find_if(settings, [](const ChartSetting& setting) {
+        return setting.kernel == kEmulated && setting.errors == "paper";
+      });
+      ASSERT_NE(by_hand, settings.end()) << "what averaging changes shows beside it";
+      EXPECT_EQ(by_hand->name, can_average ? kHandSet : kDefaultSetting);
     }
+}
+
+TEST(ChartSettings, of_a_gold_standard_draw_from_the_target_itself) {
+  const ChartTarget target{.resolution = 64, .has_jagged = true, .can_emulate = true, .can_average = true};
+  for (const ChartSetting& setting : gold_settings(default_setting(target)))
+    EXPECT_EQ(setting.errors, "paper") << setting.name;
 }
 
 TEST(ChartSettings, round_where_that_pays) {

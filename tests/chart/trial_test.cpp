@@ -74,17 +74,19 @@ class LearningProblem final : public ChartProblem {
   }
 
   /// The biased target, by as many evaluations.
-  Averaged average(const ChartSetting& setting, const std::vector<ChainState>& ends, std::uint64_t seed,
-                   const std::function<void()>& evaluated) const override {
+  std::optional<Averaged> average(const ChartSetting& setting, const std::vector<ChainState>& ends,
+                                  std::uint64_t seed, const std::function<void()>& evaluated) const override {
     EXPECT_FALSE(ends.empty()) << "a search comes first";
+    if (!follows_averages) return std::nullopt;
     ChartSetting biased = setting;
     biased.summary = "biased";
     Learnt learnt = learn(biased, seed, evaluated);
     auto kernel = known_.kernel(quick_setting(), *learnt.target);
-    return {std::move(learnt), std::move(kernel)};
+    return Averaged{std::move(learnt), std::move(kernel)};
   }
 
   static constexpr int kSimulations = 100;
+  bool follows_averages = true;
 
  private:
   GaussianProblem known_;
@@ -114,6 +116,18 @@ TEST(Trial, of_averaged_errors_draws_from_the_average_after_a_search_and_a_short
   EXPECT_NEAR(off, GaussianProblem::kBias, 0.2);
 }
 
+TEST(Trial, of_averaged_errors_draws_from_the_target_where_nothing_follows_its_averages) {
+  ChartSetting setting = quick_setting();
+  LearningProblem problem;
+  problem.follows_averages = false;
+  const QuantityDraws by_hand = run_trial(problem, setting, {.seed = 3, .draws = 300, .threads = 2}).draws();
+  setting.errors = "averaged";
+  const QuantityDraws fallen_back =
+      run_trial(problem, setting, {.seed = 3, .draws = 300, .threads = 2}).draws();
+  ASSERT_EQ(by_hand.draws(), 300);
+  EXPECT_EQ(fallen_back.continuous, by_hand.continuous);
+}
+
 TEST(Trial, of_a_photo_draws_from_its_average_over_irregularities) {
   RunSettings settings;
   settings.material = "plaster";
@@ -121,8 +135,8 @@ TEST(Trial, of_a_photo_draws_from_its_average_over_irregularities) {
   settings.resolution = 32;
   const PhotoProblem photo(settings, photo_of_prior_draw(settings, 1, 2), "a draw from the prior");
   ASSERT_TRUE(photo.target().can_average);
-  ChartSetting setting = default_setting(/*has_jagged=*/true, /*can_emulate=*/true);
-  setting.errors = "averaged";
+  const ChartSetting setting = default_setting(photo.target());
+  ASSERT_EQ(setting.errors, "averaged");
   const auto means_of_seed = [&](std::uint64_t seed) {
     const Trial trial = run_trial(photo, setting, {.seed = seed, .draws = 300, .threads = 2});
     EXPECT_EQ(trial.draws().draws(), 300);
@@ -196,7 +210,7 @@ class EmulatedProblem final : public ChartProblem {
 
 TEST(Trial, of_emulated_proposals_learns_them_again_from_warm_up_as_a_run_does) {
   const EmulatedProblem problem;
-  ChartSetting setting = default_setting(/*has_jagged=*/false, /*can_emulate=*/true);
+  ChartSetting setting = default_setting({.can_emulate = true});
   setting.warmup = 60;
   const Trial trial = run_trial(problem, setting, {.seed = 3, .draws = 40, .threads = 2});
   ASSERT_EQ(trial.draws().draws(), 40);

@@ -82,10 +82,17 @@ TEST_F(CostChartTest, FindsTheWayOfARunThatAveragesOverIrregularities) {
   run.refresh = default_setting().refresh;
   run.errors = "averaged";
   EXPECT_FALSE(find_cost(read_cost_chart(write(some)).value(), run));
-  some[3].setting = default_setting();
-  some[3].setting.name = "averaged errors";
-  some[3].setting.errors = "averaged";
-  EXPECT_EQ(find_cost(read_cost_chart(write(some)).value(), run), 3u);
+  const ChartTarget jagged{.has_jagged = true, .can_emulate = true, .can_average = true};
+  some[0].setting = some[3].setting = default_setting(jagged);
+  some[3].setting.name = kHandSet;
+  some[3].setting.errors = "paper";
+  const CostChart chart = read_cost_chart(write(some)).value();
+  run.refresh = some[0].setting.refresh;
+  EXPECT_EQ(find_cost(chart, run), 0u);
+  run.errors = kAuto;
+  EXPECT_EQ(find_cost(chart, run), 0u) << "what a run does that is told nothing";
+  run.errors = "paper";
+  EXPECT_EQ(find_cost(chart, run), 3u);
 }
 
 TEST_F(CostChartTest, SaysWhichWaysAreCheaperAndWhichOfTheseAreWrong) {
