@@ -38,7 +38,7 @@ WiderErrors errors_of_irregularities(const Simulator& simulator, const Position&
   const Eigen::Index n = (axes.eigenvalues().array() > kMatters).count();
   const Eigen::VectorXd variances = axes.eigenvalues().tail(n);
   return {scatter * axes.eigenvectors().rightCols(n) * variances.cwiseSqrt().cwiseInverse().asDiagonal(),
-          variances};
+          variances.cwiseMin(kTimes * kWidest)};
 }
 
 }  // namespace patina

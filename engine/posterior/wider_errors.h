@@ -21,12 +21,17 @@ struct WiderErrors {
   void serialise(Archive& archive);
 };
 
+constexpr double kWidest = 12;  ///< of a photo's irregularities, beside a hand-set error's variance of 1
+
 constexpr int kIrregularityPhotos = 48;  ///< of a dozen directions that matter
 
 /// What irregularities do to the summaries of a material at one place: of the photo, whose own nobody knows,
 /// and of renders, which have those of the run's one z. So their covariance counts twice (Wood 2010,
 /// "Statistical inference for noisy nonlinear ecological dynamic systems", where simulations are many and it
-/// counts once). Along its principal axes, as far as they matter.
+/// counts once). Along its principal axes, as far as they matter, and no further than kWidest: what
+/// irregularities do at one match is not what they do at others. At wood_3's, where dark rings may lie under
+/// the highlight, they scatter a photo by 115 to 140 hand-set variances along one axis; matches without any
+/// highlight were as good then, and which of them was a matter of the seed.
 /// @param at      its informed coordinates; places and levels are drawn from their prior
 /// @param photos  that are simulated
 WiderErrors errors_of_irregularities(const Simulator& simulator, const Position& at,

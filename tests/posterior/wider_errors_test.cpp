@@ -125,6 +125,12 @@ TEST(ErrorsOfIrregularities, AreTwiceTheScatterOfPhotosThatOtherIrregularitiesMa
   EXPECT_LT((added - twice).norm(), 0.4 * twice.norm());
 }
 
+TEST(ErrorsOfIrregularities, AreNoWiderThanIsBelievedOfOneMatch) {
+  const Posterior posterior = small_posterior("bump", kSmall / 100);
+  const Position at{Eigen::VectorXd::Zero(posterior.dimension()), {}};
+  EXPECT_EQ(of_irregularities(posterior, at, 40).of_the_photo().variances.maxCoeff(), kWidest);
+}
+
 TEST(ErrorsOfIrregularities, AreOrthogonalDirectionsThatFitTheSummary) {
   const Posterior posterior = small_posterior("leather", kSmall);
   const WiderErrors wider = of_irregularities(posterior, somewhere(posterior, 6), 40);
