@@ -49,7 +49,7 @@ std::vector<int> pyramid(int resolution) {
 }
 
 MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& posteriors,
-                             const RunSettings& settings, const std::vector<Position>& guesses,
+                             const RunSettings& settings, const std::vector<Position>& guesses, int finalists,
                              RunShared& shared, const std::function<void(const MapPoint&)>& keep) {
   std::vector<std::unique_ptr<ControlledDensity>> controlled;
   std::vector<const LogDensity*> targets;
@@ -58,7 +58,8 @@ MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& post
     targets.push_back(controlled.back().get());
   }
   const Posterior& posterior = *posteriors.back();
-  MapSearchSettings search = settings.start == "predict" ? local_search() : MapSearchSettings{};
+  MapSearchSettings search =
+      settings.start == "predict" ? local_search() : MapSearchSettings{.finalists = finalists};
   search.guesses = guesses;
   search.threads = hardware_threads();
   search.enter_thread = [] { use_tensor_threads(1); };
@@ -75,17 +76,22 @@ MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& post
   return result;
 }
 
+std::vector<MapPoint> basins_of(const Posterior& posterior, const std::vector<OptimizerResult>& found) {
+  std::vector<MapPoint> basins;
+  for (const OptimizerResult& end : found)
+    basins.push_back({posterior.values(end.position), end.evaluation.log_density});
+  return basins;
+}
+
 ModeFound mode_of(const Posterior& posterior, const std::vector<OptimizerResult>& found, RunShared& shared) {
   shared.edit_status([&](RunStatus& status) {
     status.message = basins_in_words(found) + ", measuring how far good matches spread";
   });
   const OptimizerResult& best = found.front();
   const ControlledDensity target(posterior, shared.control);
-  ModeFound mode{{best.position, best.evaluation},
-                 std::make_shared<const Metric>(laplace_covariance(target, best.position))};
-  for (const OptimizerResult& basin : found)
-    mode.basins.push_back({posterior.values(basin.position), basin.evaluation.log_density});
-  return mode;
+  return {{best.position, best.evaluation},
+          std::make_shared<const Metric>(laplace_covariance(target, best.position)),
+          basins_of(posterior, found)};
 }
 
 }  // namespace patina

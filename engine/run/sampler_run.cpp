@@ -183,14 +183,21 @@ void SamplerRun::enter(RunPhase phase, const std::string& message) {
 
 ModeFound SamplerRun::find_or_recall() {
   use_tensor_threads(hardware_threads());
-  if (!found_) {
-    ModeFound found = search();
-    manifest_.basins = found.basins;
-    note_map(found);
+  if (found_) recall();
+  const bool was_a_match_alone = found_ && averages() && !found_->wider;
+  if (!found_ || was_a_match_alone) {
+    const Stopwatch stopwatch(manifest_.seconds.search);
+    enter(RunPhase::searching, "looking for a good match");
+    found_ = found_ ? widen(manifest_.basins) : search();
+    manifest_.basins = found_->basins;
+    note_map(*found_);
     shared_.write_or_pause([&] { write_manifest(); });  // before the mode, with which the basins are recalled
-    keep(found);
-    return with_proposals(std::move(found));
+    keep(*found_);
   }
+  return with_proposals(std::move(*found_));
+}
+
+void SamplerRun::recall() {
   keep_the_finest();
   if (found_->errors) use(*found_->errors);
   if (found_->wider) use(*found_->wider);
@@ -201,7 +208,17 @@ ModeFound SamplerRun::find_or_recall() {
     status.best = posteriors_.back()->values(found_->mode.position);
     status.best_lp = found_->mode.evaluation.log_density;
   });
-  return with_proposals(std::move(*found_));
+}
+
+ModeFound SamplerRun::widen(const std::vector<MapPoint>& basins) {
+  const Posterior& by_hand = *posteriors_.back();
+  std::vector<Position> ends;
+  for (const MapPoint& basin : basins) ends.push_back(by_hand.position(basin.values));
+  if (ends.empty()) ends.push_back(found_->mode.position);
+  ModeFound again = widened(by_hand, ends, irregularities(), settings_.seed, shared_);
+  use(*again.wider);
+  show(again.mode.position);
+  return again;
 }
 
 void SamplerRun::note_map(const ModeFound& found) {
@@ -246,7 +263,7 @@ void SamplerRun::check_is_where_it_was() const {
 
 bool SamplerRun::averages() const {
   return settings_.errors == "averaged" ||
-         (settings_.errors == kAuto && emulates_ && has_jagged(*posteriors_.back()));
+         (settings_.errors == kAuto && !settings_.map_only && emulates_ && has_jagged(*posteriors_.back()));
 }
 
 IrregularityPool& SamplerRun::irregularities() {
@@ -272,25 +289,21 @@ std::vector<Position> SamplerRun::guesses() const {
   return predicted_guesses(*posteriors_.front(), photo_, settings_.capture, settings_.seed);
 }
 
+int SamplerRun::finalists() const { return averages() ? 1 : MapSearchSettings{}.finalists; }
+
 ModeFound SamplerRun::search() {
-  const Stopwatch stopwatch(manifest_.seconds.search);
-  enter(RunPhase::searching, "looking for a good match");
   if (is_calibrated()) return calibrate();
   const std::vector<int> levels = pyramid(settings_.resolution);
   for (std::size_t i = posteriors_.size(); i < levels.size(); ++i) {
     shared_.control.checkpoint();
     posteriors_.push_back(std::make_unique<Posterior>(search_settings(settings_, levels[i]), photo_));
   }
+  const auto keep_best = [this](const MapPoint& best) { keep(best); };
   const std::vector<OptimizerResult> found =
-      find_matches(posteriors_, settings_, guesses(), shared_, [this](const MapPoint& best) {
-        keep(best);
-      }).basins;
+      find_matches(posteriors_, settings_, guesses(), finalists(), shared_, keep_best).basins;
   posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
   if (!averages()) return mode_of(*posteriors_.back(), found, shared_);
-  ModeFound again = widened(*posteriors_.back(), found, irregularities(), settings_.seed, shared_);
-  use(*again.wider);
-  show(again.mode.position);
-  return again;
+  return widen(basins_of(*posteriors_.back(), found));
 }
 
 void SamplerRun::keep(const MapPoint& best) {
@@ -319,7 +332,7 @@ Position SamplerRun::coarse_match() {
   std::vector<std::unique_ptr<Posterior>> coarse;
   coarse.push_back(coarsest());
   const auto keep_best = [this](const MapPoint& best) { keep(best); };
-  Position match = find_matches(coarse, settings_, guesses(), shared_, keep_best).best.position;
+  Position match = find_matches(coarse, settings_, guesses(), finalists(), shared_, keep_best).best.position;
   shared_.edit_status([](RunStatus& status) { status.search_fraction = 0; });  // photos are simulated again
   return match;
 }

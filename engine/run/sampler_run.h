@@ -50,7 +50,11 @@ class SamplerRun final : public DrawSource {
   void run_to_the_end();
   void enter(RunPhase phase, const std::string& message);
   ModeFound find_or_recall();
+  void recall();
   std::vector<Position> guesses() const;  ///< where the search looks first
+  /// Of the search. One, beside the guess's, where an average is to follow, which is learnt about other matches
+  /// of its own accord (emulator_starts()): of four photos' best matches none was the second finalist's.
+  int finalists() const;
   ModeFound search();
   void keep(const MapPoint& best);  ///< in run.json, at intervals, until there is a map
   void note_map(const ModeFound& found);
@@ -68,7 +72,13 @@ class SamplerRun final : public DrawSource {
   bool is_calibrated() const { return settings_.errors == "calibrated"; }
   Image finer_render(const Position& position) const;  ///< at more pixels than the run looks at
 
-  bool averages() const;  ///< over irregularities
+  /// Whether over irregularities. Not of itself for a match alone, with no draws to follow: errors that
+  /// forgive what irregularities do forgive colours, too (wood_3's are off by 6.1 in place of 2.5,
+  /// resources/fits).
+  bool averages() const;
+  /// What a search ended in by hand-set errors, found again. From its written form, whether it is read or
+  /// not: chains of a run that was a match alone before are those of one that was not.
+  ModeFound widen(const std::vector<MapPoint>& basins);
   /// That simulated photos, and the renders that an average is learnt from, have.
   IrregularityPool& irregularities();
   void sample(ModeFound found);

@@ -46,15 +46,13 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
   return climbed;
 }
 
-ModeFound widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found, IrregularityPool& pool,
+ModeFound widened(const Posterior& by_hand, const std::vector<Position>& found, IrregularityPool& pool,
                   std::uint64_t seed, RunShared& shared) {
   assert(!found.empty());
-  WiderErrors wider = measure(by_hand, found.front().position, pool, seed, shared);
+  WiderErrors wider = measure(by_hand, found.front(), pool, seed, shared);
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
-  std::vector<Position> ends;
-  for (const OptimizerResult& basin : found) ends.push_back(basin.position);
-  ModeFound again = mode_of(posterior, climb_on(target, ends), shared);
+  ModeFound again = mode_of(posterior, climb_on(target, found), shared);
   again.wider = std::move(wider);
   return again;
 }

@@ -15,10 +15,10 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
 
 /// What a search found by hand-set errors, found again by errors that are wider by what irregularities do at
 /// its best match: errors_of_irregularities(), and climbs on from its basins under them. On all processors.
-/// @param by_hand  the posterior that was searched   @param found  there, best first, at least one
+/// @param by_hand  the posterior that was searched   @param found  where it ended, best first, at least one
 /// @return         with the wider errors
 /// @throws RunStopped
-ModeFound widened(const Posterior& by_hand, const std::vector<OptimizerResult>& found, IrregularityPool& pool,
+ModeFound widened(const Posterior& by_hand, const std::vector<Position>& found, IrregularityPool& pool,
                   std::uint64_t seed, RunShared& shared);
 
 }  // namespace patina
