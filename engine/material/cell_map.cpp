@@ -8,11 +8,11 @@
 #include <ATen/ops/softplus.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <vector>
 
+#include "engine/material/cell_kernel.h"
 #include "engine/material/hash.h"
 
 namespace patina {
@@ -33,66 +33,75 @@ constexpr double kSlope = 1.58, kBottom = -0.503;
 // shine.
 constexpr double kFloor = 0.15, kRounding = 0.015;
 
-struct Point {
-  float x, y;  ///< in bins
-};
-
-float square_distance(Point a, Point b) {
-  const float x = a.x - b.x, y = a.y - b.y;
-  return x * x + y * y;
-}
-
 /// A site about each bin of a torus.
 class Sites {
  public:
-  using Near = std::array<Point, (2 * kReach + 1) * (2 * kReach + 1)>;
-
   Sites(std::uint64_t seed, std::uint64_t stream) : of_bin_(kBins * kBins) {
     const auto offset = [&](std::uint64_t place) {
       return static_cast<float>(0.5 + kSpread * (uniform_hash(seed, stream, place) - 0.5));
     };
-    for (std::uint64_t i = 0; Point & site : of_bin_) {
+    for (std::uint64_t i = 0; Offset & site : of_bin_) {
       site.x = offset(i++);
       site.y = offset(i++);
     }
   }
 
-  /// The sites of the bins around one, at their places in the plane.
-  Near near(int row, int column) const {
-    Near sites;
-    auto site = sites.begin();
+  /// The sites of the bins around one, at their places in the plane, in bins.
+  cells::Points near(int row, int column) const {
+    cells::Points sites;
     for (int i = row - kReach; i <= row + kReach; ++i)
       for (int j = column - kReach; j <= column + kReach; ++j) {
-        const Point& offset =
+        const Offset& offset =
             of_bin_[static_cast<std::size_t>((i + kBins) % kBins * kBins + (j + kBins) % kBins)];
-        *site++ = {static_cast<float>(j) + offset.x, static_cast<float>(i) + offset.y};
+        sites.add(static_cast<float>(j) + offset.x, static_cast<float>(i) + offset.y);
       }
     return sites;
   }
 
  private:
-  std::vector<Point> of_bin_;  ///< offset from the bin's corner
+  struct Offset {
+    float x, y;  ///< from the bin's corner, in bins
+  };
+  std::vector<Offset> of_bin_;
 };
 
-/// Distance to the nearest edge of the Voronoi diagram: the least distance to a bisector between the nearest
-/// site and another one.
-float edge_distance(Point at, const Sites::Near& sites) {
-  Point nearest{};
-  float least = std::numeric_limits<float>::max();
-  for (const Point& site : sites) {
-    const float square = square_distance(site, at);
-    if (square < least) least = square, nearest = site;
+/// Of a map's pixels, where along a row they lie and which of them lie in each bin.
+class Ruler {
+ public:
+  explicit Ruler(int size) : step_(static_cast<float>(kBins) / static_cast<float>(size)), first_(kBins + 1, size) {
+    for (int pixel = size - 1; pixel >= 0; --pixel) first_[static_cast<std::size_t>(place(pixel))] = pixel;
+    for (auto bin = first_.size() - 1; bin > 0; --bin) first_[bin - 1] = std::min(first_[bin - 1], first_[bin]);
   }
-  const float radius = std::sqrt(least);
-  float distance = std::numeric_limits<float>::max(), horizon = distance;
-  for (const Point& site : sites) {
-    const float square = square_distance(site, at);
-    // A bisector is no closer than half of what its site is further away than the nearest one.
-    if (square >= horizon || square <= least) continue;
-    distance = std::min(distance, (square - least) / (2 * std::sqrt(square_distance(site, nearest))));
-    horizon = (radius + 2 * distance) * (radius + 2 * distance);
-  }
-  return distance;
+
+  float place(int pixel) const { return (static_cast<float>(pixel) + 0.5f) * step_; }  ///< in bins
+  int begin(int bin) const { return first_[static_cast<std::size_t>(bin)]; }
+  int end(int bin) const { return first_[static_cast<std::size_t>(bin) + 1]; }
+
+ private:
+  float step_;
+  std::vector<int> first_;
+};
+
+/// Of each pixel to the nearest edge of the Voronoi diagram of the sites, in bins. @return [1, 1, size, size]
+at::Tensor edge_distances(const Sites& sites, int size) {
+  const Ruler ruler(size);
+  at::Tensor map = at::empty({1, 1, size, size}, at::kFloat);
+  float* to = map.data_ptr<float>();
+  std::vector<float> distances;
+  for (int row = 0; row < kBins; ++row)
+    for (int column = 0; column < kBins; ++column) {
+      cells::Points pixels;
+      for (int i = ruler.begin(row); i < ruler.end(row); ++i)
+        for (int j = ruler.begin(column); j < ruler.end(column); ++j)
+          pixels.add(ruler.place(j), ruler.place(i));
+      distances.resize(pixels.size());
+      cells::edge_distances(sites.near(row, column), pixels, distances.data());
+      auto distance = distances.begin();
+      const std::ptrdiff_t width = ruler.end(column) - ruler.begin(column);
+      for (int i = ruler.begin(row); i < ruler.end(row); ++i, distance += width)
+        std::copy_n(distance, width, to + std::ptrdiff_t{i} * size + ruler.begin(column));
+    }
+  return map;
 }
 
 /// Gaussian blur of a periodic map, sd in pixels.
@@ -108,20 +117,7 @@ at::Tensor blurred(const at::Tensor& map, double sd) {
 }  // namespace
 
 at::Tensor make_cell_map(std::uint64_t seed, std::uint64_t stream, int size) {
-  const Sites sites(seed, stream);
-  const float step = static_cast<float>(kBins) / static_cast<float>(size);
-  at::Tensor distances = at::empty({1, 1, size, size}, at::kFloat);
-  float* distance = distances.data_ptr<float>();
-  for (int row = 0; row < size; ++row) {
-    const float y = (static_cast<float>(row) + 0.5f) * step;
-    int bin = -1;
-    Sites::Near near;
-    for (int column = 0; column < size; ++column) {
-      const float x = (static_cast<float>(column) + 0.5f) * step;
-      if (static_cast<int>(x) != bin) near = sites.near(static_cast<int>(y), bin = static_cast<int>(x));
-      *distance++ = edge_distance({x, y}, near);
-    }
-  }
+  const at::Tensor distances = edge_distances(Sites(seed, stream), size);
   // As steep beside an edge as its width lets it be, round at its bottom and flat inside.
   const at::Tensor profile = blurred((distances / kEdge).tanh(), kEdge * size / kBins);
   const at::Tensor above = at::softplus(profile * kSlope + (kBottom - kFloor), 1 / kRounding);

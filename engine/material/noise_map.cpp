@@ -6,10 +6,13 @@
 #include <ATen/ops/polar.h>
 #include <ATen/ops/real.h>
 #include <ATen/ops/roll.h>
+#include <ATen/ops/zeros.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <span>
 
@@ -26,43 +29,50 @@ constexpr std::array<double, 9> kOctaveShares{.17, .23, .13, .11, .11, .10, .09,
 constexpr std::array<QuantileKnot, 7> kNoiseValues{
     {{0, 0.0f}, {0.05, 0.13f}, {0.25, 0.25f}, {0.5, 0.35f}, {0.75, 0.47f}, {0.95, 0.65f}, {1, 1.0f}}};
 
-/// Octaves above 1 cycle per map, as a fraction: 1.5 is in the middle of the second one.
-double octaves_above_one(double row_frequency, double column_frequency) {
-  return std::log2(std::max(std::hypot(row_frequency, column_frequency), 0.5));
-}
-
-/// Log density of variance per frequency, up to a constant: a power law between the octaves' middles.
-double log_density(double octaves) {
+/// Variance of a frequency of that square, at least 1, up to a constant: a power law between the octaves'
+/// middles.
+double density(int square) {
+  static const auto kLogs = [] {
+    std::array<double, kOctaveShares.size()> logs;
+    // An octave holds four times as many frequencies as the one below.
+    for (std::size_t i = 0; i < logs.size(); ++i)
+      logs[i] = std::log(kOctaveShares[i]) - static_cast<double>(i) * std::log(4.0);
+    return logs;
+  }();
+  const double octaves = std::log2(square) / 2;  // above 1 cycle per map: 1.5 is in the second one's middle
   const double last = static_cast<double>(kOctaveShares.size()) - 2;
   const double place = std::clamp(std::floor(octaves - 0.5), 0.0, last);
-  // An octave holds four times as many frequencies as the one below.
-  const auto of_octave = [](double octave) {
-    return std::log(kOctaveShares[static_cast<std::size_t>(octave)]) - octave * std::log(4.0);
-  };
-  return std::lerp(of_octave(place), of_octave(place + 1), octaves - 0.5 - place);
+  const auto i = static_cast<std::size_t>(place);
+  return std::exp(std::lerp(kLogs[i], kLogs[i + 1], octaves - 0.5 - place));
 }
 
 /// Amplitude of each frequency of fft2's layout: each octave its share, and no steps within or between them.
 /// Steps would put too much of an octave at its upper end, and make the surface too steep.
 at::Tensor octave_amplitudes(int size) {
-  const auto frequency = [size](int k) { return k < size / 2 ? k : k - size; };
-  std::array<double, kOctaveShares.size()> total{};
-  at::Tensor amplitudes = at::empty({size, size}, at::kFloat);
+  const int half = size / 2;
+  at::Tensor amplitudes = at::zeros({size, size}, at::kFloat);
   auto entry = amplitudes.accessor<float, 2>();
-  const auto for_each = [&](auto&& visit) {
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column) {
-        const double octaves = octaves_above_one(frequency(row), frequency(column));
-        const bool known = octaves >= 0 && octaves < static_cast<double>(kOctaveShares.size());
-        if (known)
-          visit(entry[row][column], octaves, static_cast<std::size_t>(octaves));
-        else
-          entry[row][column] = 0;
+  const auto for_quadrant = [&](auto&& visit) {
+    for (int row = 0; row <= half; ++row)
+      for (int column = 0; column <= half; ++column) {
+        const int square = row * row + column * column;
+        const auto octave = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(square)) - 1) / 2;
+        if (square > 0 && octave < kOctaveShares.size()) visit(row, column, square, octave);
       }
   };
-  for_each([&](float&, double octaves, std::size_t i) { total[i] += std::exp(log_density(octaves)); });
-  for_each([&](float& amplitude, double octaves, std::size_t i) {
-    amplitude = static_cast<float>(std::sqrt(std::exp(log_density(octaves)) * kOctaveShares[i] / total[i]));
+  const auto opposite = [&](int frequency) { return (size - frequency) % size; };
+  std::array<double, kOctaveShares.size()> total{};
+  for_quadrant([&](int row, int column, int square, std::size_t octave) {
+    const double variance = density(square);
+    const int images = (row == opposite(row) ? 1 : 2) * (column == opposite(column) ? 1 : 2);
+    total[octave] += images * variance;
+    entry[row][column] = static_cast<float>(variance);
+  });
+  for_quadrant([&](int row, int column, int, std::size_t octave) {
+    const double variance = double{entry[row][column]} * kOctaveShares[octave] / total[octave];
+    const auto amplitude = static_cast<float>(std::sqrt(variance));
+    for (const int i : {row, opposite(row)})
+      for (const int j : {column, opposite(column)}) entry[i][j] = amplitude;
   });
   return amplitudes;
 }

@@ -1,5 +1,6 @@
 #include "engine/run/mode_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -58,8 +59,8 @@ MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& post
     targets.push_back(controlled.back().get());
   }
   const Posterior& posterior = *posteriors.back();
-  MapSearchSettings search =
-      settings.start == "predict" ? local_search() : MapSearchSettings{.finalists = finalists};
+  MapSearchSettings search = settings.start == "predict" ? local_search() : MapSearchSettings{};
+  search.finalists = std::min(search.finalists, finalists);
   search.guesses = guesses;
   search.threads = hardware_threads();
   search.enter_thread = [] { use_tensor_threads(1); };
