@@ -68,9 +68,11 @@ class Sites {
 /// Of a map's pixels, where along a row they lie and which of them lie in each bin.
 class Ruler {
  public:
-  explicit Ruler(int size) : step_(static_cast<float>(kBins) / static_cast<float>(size)), first_(kBins + 1, size) {
+  explicit Ruler(int size)
+      : step_(static_cast<float>(kBins) / static_cast<float>(size)), first_(kBins + 1, size) {
     for (int pixel = size - 1; pixel >= 0; --pixel) first_[static_cast<std::size_t>(place(pixel))] = pixel;
-    for (auto bin = first_.size() - 1; bin > 0; --bin) first_[bin - 1] = std::min(first_[bin - 1], first_[bin]);
+    for (auto bin = first_.size() - 1; bin > 0; --bin)
+      first_[bin - 1] = std::min(first_[bin - 1], first_[bin]);
   }
 
   float place(int pixel) const { return (static_cast<float>(pixel) + 0.5f) * step_; }  ///< in bins

@@ -90,7 +90,8 @@ void SamplerRun::take_up() {
   const Manifest made = read_manifest(directory_);
   check_same_run(directory_, made, manifest_);
   check_has_mode(directory_);
-  found_ = read_mode(directory_, run_key_, *posteriors_.front(), settings_);
+  const Posterior finest(posterior_settings(settings_, settings_.resolution), photo_);  // which it is of
+  found_ = read_mode(directory_, run_key_, finest, settings_);
   record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
   manifest_.map = made.map;
   manifest_.so_far = made.so_far;

@@ -52,8 +52,9 @@ class SamplerRun final : public DrawSource {
   ModeFound find_or_recall();
   void recall();
   std::vector<Position> guesses() const;  ///< where the search looks first
-  /// Of the search. One, beside the guess's, where an average is to follow, which is learnt about other matches
-  /// of its own accord (emulator_starts()): of four photos' best matches none was the second finalist's.
+  /// Of the search. One, beside the guess's, where an average is to follow, which is learnt about other
+  /// matches of its own accord (emulator_starts()): of four photos' best matches none was the second
+  /// finalist's.
   int finalists() const;
   ModeFound search();
   void keep(const MapPoint& best);  ///< in run.json, at intervals, until there is a map

@@ -104,6 +104,10 @@ class Climb {
       best_.stopped_because = "what was asked for was reached";
       return true;
     }
+    if (++iterations_ == settings_.max_iterations / 2 && -value < settings_.hopeless) {
+      best_.stopped_because = "half of the iterations led hardly anywhere";
+      return true;
+    }
     recent_values_.push_back(value);
     if (recent_values_.size() <= kValueWindow) return false;
     const double improvement = recent_values_.front() - value;
@@ -124,6 +128,7 @@ class Climb {
   const OptimizerSettings& settings_;
   Position trial_;
   OptimizerResult best_;
+  int iterations_ = 0;
   std::deque<double> recent_values_;
   std::exception_ptr failure_;
 };

@@ -13,6 +13,7 @@ struct OptimizerSettings {
   double gradient_tolerance = 1e-3;  ///< stop when |gradient| < tolerance * max(1, |x|)
   double value_tolerance = 1e-5;  ///< stop when the value improved by less, relatively, over five iterations
   double good_enough = std::numeric_limits<double>::infinity();  ///< stop at this log density
+  double hopeless = -std::numeric_limits<double>::infinity();    ///< stop below this one half-way
   std::function<bool()> stop_requested;                          ///< asked once per iteration; empty: never
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/material/registry.h"
 #include "engine/posterior/posterior.h"
 #include "engine/posterior/vetted_density.h"
 #include "engine/run/emulated_proposals.h"
@@ -74,19 +75,50 @@ TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
   EXPECT_EQ(in_force(opened->settings(), opened->status()).warmup, kAveragedWarmup);
 }
 
-TEST_F(AveragedRun, IsWhatAutoComesToWherePlacesOfATextureAreFree) {
+TEST_F(AveragedRun, AMatchAloneIsByHandSetErrorsAndDrawsThatFollowItAreAveraged) {
   RunSettings asked = averaged();
   asked.errors = kAuto;
   asked.map_only = true;
-  const auto run = start(asked);
-  draws_to_the_end(*run);
+  draws_to_the_end(*start(asked));
+  const Manifest alone = read_manifest(directory());
+  EXPECT_EQ(alone.errors, "paper");
+  EXPECT_FALSE(found().wider);
+  EXPECT_NEAR(alone.map->lp, by_hand().value(by_hand().position(alone.map->values)).log_density,
+              1e-3 * (1 + std::abs(alone.map->lp)));
+
+  asked.map_only = false;
+  const auto run = resume_run(asked, photo(), directory());
+  EXPECT_FALSE(draws_to_the_end(*run).empty());
+  EXPECT_EQ(run->status().phase, RunPhase::finished) << run->status().message;
   const Manifest manifest = read_manifest(directory());
   const ModeFound found = this->found();
   EXPECT_EQ(manifest.settings.errors, kAuto);
-  EXPECT_TRUE(found.wider);
+  EXPECT_TRUE(found.wider && found.average);
   EXPECT_EQ(manifest.errors, "averaged");
+  EXPECT_EQ(manifest.map->lp, found.mode.evaluation.log_density);
+  EXPECT_GT(manifest.map->lp, alone.map->lp) << "wider errors forgive more";
   EXPECT_EQ(run->status().errors, manifest.errors);
   EXPECT_EQ(open_run(directory())->status().errors, manifest.errors);
+}
+
+/// Searches begin at fewer pixels and without covariances, whose summary has another length.
+TEST_F(AveragedRun, GoesOnWhereItsSearchBeganByAnotherSummary) {
+  RunSettings asked = averaged();
+  asked.summary = "covariances";
+  asked.resolution = 136;
+  asked.map_only = true;
+  const ParameterTable& table = material_table("leather");
+  const ParameterValues usual = prior_location(table);
+  for (std::size_t i = 0; i < table.continuous.size(); ++i)
+    if (table.continuous[i].name != "light" && !table.continuous[i].place)
+      asked.fixed[table.continuous[i].name] = usual.continuous[i];
+  draws_to_the_end(*start(asked));
+  const Posterior coarse(search_settings(asked, 128), read_run_photo(directory()));
+  ASSERT_NE(coarse.photo_summary().size(), by_hand().photo_summary().size());
+  ASSERT_TRUE(found().wider);
+  const auto again = resume_run(asked, photo(), directory());
+  draws_to_the_end(*again);
+  EXPECT_EQ(again->status().phase, RunPhase::finished) << again->status().message;
 }
 
 TEST_F(AveragedRun, IsNotWhatAutoComesToWhereNothingIsJagged) {

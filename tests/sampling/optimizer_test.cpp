@@ -69,6 +69,23 @@ TEST(Maximize, never_returns_a_point_worse_than_the_start_even_if_the_gradient_l
   EXPECT_EQ(result.position.continuous, start);
 }
 
+TEST(Maximize, gives_up_half_way_where_it_is_still_below_what_is_hopeless) {
+  OptimizerSettings settings;
+  settings.max_iterations = 20;
+  const Position start{Eigen::Vector2d(-1.2, 1), {}};
+  const OptimizerResult all = maximize(rosenbrock(), start, settings);
+  settings.max_iterations = 10;
+  const OptimizerResult half = maximize(rosenbrock(), start, settings);
+  ASSERT_LT(half.evaluation.log_density, all.evaluation.log_density);
+  settings.max_iterations = 20;
+  settings.hopeless = half.evaluation.log_density + 1e-6;
+  const OptimizerResult given_up = maximize(rosenbrock(), start, settings);
+  EXPECT_EQ(given_up.position.continuous, half.position.continuous);
+  EXPECT_EQ(given_up.stopped_because, "half of the iterations led hardly anywhere");
+  settings.hopeless = half.evaluation.log_density - 1e-6;
+  EXPECT_EQ(maximize(rosenbrock(), start, settings).position.continuous, all.position.continuous);
+}
+
 TEST(Maximize, reports_the_evaluation_of_the_point_it_returns) {
   const FunctionDensity target = rosenbrock();
   OptimizerSettings settings;
