@@ -98,11 +98,11 @@ Target averaged(const Posterior& by_hand, IrregularityPool& pool, const StudySet
   const Posterior widened = by_hand.with(wider);
   Position mode = maximize(widened, match).position;
   Eigen::MatrixXd laplace = laplace_covariance(widened, mode);
-  auto by_render = std::make_shared<Posterior>(by_hand.with(wider.of_the_photo()));
+  const Posterior by_render = by_hand.with(wider.of_the_photo());
   const std::optional<AveragedEmulator> average = emulate_average(
-      *by_render, {{mode, by_render->value(mode)}}, Metric(laplace), {.seed = seed, .others = &pool});
+      by_render, {{mode, by_render.value(mode)}}, Metric(laplace), {.seed = seed, .others = &pool});
   if (!average) throw UserError("Polynomials do not follow the renders of a photo: leave this material out.");
-  auto density = std::make_shared<VettedDensity>(*average, by_render, by_hand.informed());
+  std::shared_ptr<const VettedDensity> density = patina::averaged(by_hand, wider, *average);
   auto kernel = make_emulated_kernel(*density, RunSettings().path_length);
   return {std::move(density), std::move(mode), average->covariance, std::move(kernel),
           std::min(study.warmup, kAveragedWarmup)};

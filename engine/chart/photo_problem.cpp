@@ -102,14 +102,14 @@ std::optional<ChartProblem::Averaged> PhotoProblem::average(const ChartSetting& 
   const std::vector<OptimizerResult> climbed = climb_on(widened, places);
   const Metric laplace(laplace_covariance(widened, climbed.front().position));
 
-  auto by_render = std::make_shared<const Posterior>(posterior_->with(wider.of_the_photo()));
+  const Posterior by_render = posterior_->with(wider.of_the_photo());
   std::vector<ChainState> basins;
-  for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render->value(end.position)});
+  for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render.value(end.position)});
   const std::vector<ChainState> starts = emulator_starts(
-      *by_render, *by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
-  const auto made = emulate_average(*by_render, starts, laplace, settings);
+      by_render, by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
+  const auto made = emulate_average(by_render, starts, laplace, settings);
   if (!made) return std::nullopt;
-  auto target = std::make_unique<VettedDensity>(*made, by_render, informed());
+  std::unique_ptr<VettedDensity> target = averaged(*posterior_, wider, *made);
   auto kernel = make_emulated_kernel(*target, setting.path_length);
   const Position& mode = climbed.front().position;
   ChainState begin{mode, target->evaluate(mode)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/posterior/matrix_product.h"
 #include "engine/posterior/symmetric_kernel.h"
 #include "engine/sampling/archive.h"
 
@@ -52,7 +53,7 @@ Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) 
   const Eigen::MatrixXd weighted = design.transpose() * importance.asDiagonal();
   const Eigen::MatrixXd normal = weighted * design + Eigen::MatrixXd(ridge.asDiagonal());
   const Eigen::MatrixXd smoother = normal.ldlt().solve(weighted);  // C^T is residuals smoother^T
-  weights_ = smoother * examples.products * smoother.transpose();
+  weights_ = product(smoother, examples.products) * smoother.transpose();
   tail_ = static_cast<double>(dimension());
   followed_ = examples.products.diagonal().minCoeff() / 2 + kFollowed * tail_;
 }

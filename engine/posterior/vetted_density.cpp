@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/posterior/posterior.h"
+#include "engine/posterior/wider_errors.h"
 #include "engine/sampling/archive.h"
 
 namespace patina {
@@ -39,6 +41,12 @@ Evaluation VettedDensity::value(const Position& position) const {
   Evaluation value = vetted(position, by_render_->value(position));
   value.gradient.resize(0);
   return value;
+}
+
+std::unique_ptr<VettedDensity> averaged(const Posterior& by_hand, const WiderErrors& wider,
+                                        const AveragedEmulator& average) {
+  auto by_render = std::make_shared<const Posterior>(by_hand.with(wider.of_the_photo()));
+  return std::make_unique<VettedDensity>(average, std::move(by_render), by_hand.informed());
 }
 
 }  // namespace patina

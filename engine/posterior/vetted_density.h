@@ -12,6 +12,8 @@
 namespace patina {
 
 class Archive;
+class Posterior;
+struct WiderErrors;
 
 /// What polynomials say of renders on average over irregularities, and how much further one render may be
 /// off.
@@ -57,5 +59,11 @@ class VettedDensity final : public LogDensity {
   std::vector<Eigen::Index> informed_;
   InformedDensity emulated_;
 };
+
+/// What a run draws from that averages over irregularities: its renders are judged by the photo's errors
+/// alone.
+/// @param by_hand  the posterior by hand-set errors   @param wider  measured at a match of it
+std::unique_ptr<VettedDensity> averaged(const Posterior& by_hand, const WiderErrors& wider,
+                                        const AveragedEmulator& average);
 
 }  // namespace patina

@@ -9,9 +9,7 @@ namespace {
 
 std::unique_ptr<const VettedDensity> average_of(const Posterior& posterior, const ModeFound& found) {
   if (!found.average) return nullptr;
-  return std::make_unique<VettedDensity>(
-      *found.average, std::make_shared<Posterior>(posterior.with(found.wider->of_the_photo())),
-      posterior.informed());
+  return averaged(posterior, *found.wider, *found.average);
 }
 
 }  // namespace

@@ -11,9 +11,7 @@
 #include "engine/io/image_file.h"
 #include "engine/material/registry.h"
 #include "engine/material/renderer.h"
-#include "engine/posterior/irregularity_pool.h"
 #include "engine/run/asked_start.h"
-#include "engine/run/controlled_density.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/run/first_line.h"
 #include "engine/run/first_manifest.h"
@@ -33,18 +31,12 @@
 #include "engine/run/stopwatch.h"
 #include "engine/run/threads.h"
 #include "engine/run/warmup_state.h"
-#include "engine/run/widened_errors.h"
 #include "engine/sampling/kernels.h"
 
 namespace patina {
 namespace {
 
 bool is_emulated(const ModeFound& found) { return found.emulator || found.average; }
-
-void check_free_parameters(const Posterior& posterior) {
-  if (posterior.dimension() == 0)
-    throw UserError("Every continuous parameter is held fixed: leave at least one free to be inferred.");
-}
 
 }  // namespace
 
@@ -54,14 +46,11 @@ SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
   check_settings(settings_, photo);
   if (settings_.summary.empty()) settings_.summary = material_table(settings_.material).summary;
   if (opening == Opening::fresh) check_holds_no_run(directory_);
-  // The coarsest posterior costs little and refuses every unknown name, prior and network.
-  posteriors_.push_back(coarsest());
-  check_free_parameters(*posteriors_.front());
-  emulates_ = emulates(settings_, *posteriors_.front());
-  const bool jagged = !is_calibrated() && has_jagged(*posteriors_.front());  // learnt likelihoods are smooth
+  finder_.emplace(settings_, photo_, shared_, [this](const MapPoint& best) { keep(best); });
+  const bool jagged = settings_.errors != "calibrated" && has_jagged(finder_->posterior());
   if (!settings_.refresh) settings_.refresh = usual_refresh(jagged);
-  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged && !emulates_);
-  table_ = posteriors_.front()->table();
+  if (!settings_.warmup) settings_.warmup = usual_warmup(jagged && !finder_->emulates());
+  table_ = finder_->posterior().table();
   start_values(table_, settings_);
   if (settings_.start == "predict") prediction_for(settings_.material, photo_, settings_.capture);
   manifest_ = first_manifest(settings_, photo, table_);
@@ -92,7 +81,7 @@ void SamplerRun::take_up() {
   check_has_mode(directory_);
   const Posterior finest(posterior_settings(settings_, settings_.resolution), photo_);  // which it is of
   found_ = read_mode(directory_, run_key_, finest, settings_);
-  record_ = read_warmup(directory_, run_key_, *posteriors_.front(), settings_.rungs());
+  record_ = read_warmup(directory_, run_key_, finest, settings_.rungs());
   manifest_.map = made.map;
   manifest_.so_far = made.so_far;
   manifest_.basins = made.basins;
@@ -153,10 +142,10 @@ void SamplerRun::coordinate() noexcept {
 
 void SamplerRun::run_to_the_end() {
   ModeFound found = find_or_recall();
-  manifest_.alarms = run_alarms(photo_, *posteriors_.back(), found.mode.position,
-                                finer_render(found.mode.position), settings_.fixed, manifest_.photo_fit);
+  manifest_.alarms = run_alarms(photo_, posterior(), found.mode.position, finer_render(found.mode.position),
+                                settings_.fixed, manifest_.photo_fit);
   manifest_.kernel = kernel_in_use(settings_, is_emulated(found));
-  manifest_.errors = is_calibrated() ? settings_.errors : found.wider ? "averaged" : "paper";
+  manifest_.errors = found.errors ? "calibrated" : found.wider ? "averaged" : "paper";
   manifest_.warmup = found.average ? std::min(*settings_.warmup, kAveragedWarmup) : *settings_.warmup;
   shared_.edit_status([&](RunStatus& status) {
     status.alarms = manifest_.alarms;
@@ -171,8 +160,7 @@ void SamplerRun::run_to_the_end() {
 Image SamplerRun::finer_render(const Position& position) const {
   constexpr int kFiner = 4, kMostPixels = 4096;
   const Renderer renderer(settings_.material, settings_.z_seed, settings_.capture);
-  return renderer.render(posteriors_.back()->values(position),
-                         std::min(kFiner * settings_.resolution, kMostPixels));
+  return renderer.render(posterior().values(position), std::min(kFiner * settings_.resolution, kMostPixels));
 }
 
 void SamplerRun::enter(RunPhase phase, const std::string& message) {
@@ -185,11 +173,12 @@ void SamplerRun::enter(RunPhase phase, const std::string& message) {
 ModeFound SamplerRun::find_or_recall() {
   use_tensor_threads(hardware_threads());
   if (found_) recall();
-  const bool was_a_match_alone = found_ && averages() && !found_->wider;
+  const bool was_a_match_alone = found_ && finder_->averages() && !found_->wider;
   if (!found_ || was_a_match_alone) {
     const Stopwatch stopwatch(manifest_.seconds.search);
     enter(RunPhase::searching, "looking for a good match");
-    found_ = found_ ? widen(manifest_.basins) : search();
+    found_ = found_ ? finder_->average_over(manifest_.basins) : finder_->find();
+    manifest_.photo_fit = finder_->photo_fit();
     manifest_.basins = found_->basins;
     note_map(*found_);
     shared_.write_or_pause([&] { write_manifest(); });  // before the mode, with which the basins are recalled
@@ -199,32 +188,20 @@ ModeFound SamplerRun::find_or_recall() {
 }
 
 void SamplerRun::recall() {
-  keep_the_finest();
-  if (found_->errors) use(*found_->errors);
-  if (found_->wider) use(*found_->wider);
+  finder_->take_up(*found_);
   check_is_where_it_was();
+  manifest_.photo_fit = finder_->photo_fit();
   note_map(*found_);
+  if (manifest_.basins.empty()) manifest_.basins.push_back(*manifest_.map);
   shared_.edit_status([&](RunStatus& status) {
     status.search_fraction = 1;
-    status.best = posteriors_.back()->values(found_->mode.position);
+    status.best = posterior().values(found_->mode.position);
     status.best_lp = found_->mode.evaluation.log_density;
   });
 }
 
-ModeFound SamplerRun::widen(const std::vector<MapPoint>& basins) {
-  const Posterior& by_hand = *posteriors_.back();
-  std::vector<Position> ends;
-  for (const MapPoint& basin : basins) ends.push_back(by_hand.position(basin.values));
-  if (ends.empty()) ends.push_back(found_->mode.position);
-  ModeFound again = widened(by_hand, ends, irregularities(), settings_.seed, shared_);
-  use(*again.wider);
-  show(again.mode.position);
-  return again;
-}
-
 void SamplerRun::note_map(const ModeFound& found) {
-  manifest_.map =
-      MapPoint{posteriors_.back()->values(found.mode.position), found.mode.evaluation.log_density};
+  manifest_.map = MapPoint{posterior().values(found.mode.position), found.mode.evaluation.log_density};
 }
 
 void SamplerRun::keep(const ModeFound& found) {
@@ -232,12 +209,12 @@ void SamplerRun::keep(const ModeFound& found) {
 }
 
 ModeFound SamplerRun::with_proposals(ModeFound found) {
-  if (!emulates_ || settings_.map_only || found.has_tried_to_emulate) return found;
+  if (!finder_->emulates() || settings_.map_only || found.has_tried_to_emulate) return found;
   const Stopwatch stopwatch(manifest_.seconds.search);
   if (found.wider) {
-    found.average =
-        learn_average(*coarsest(), posteriors_.back()->with(found.wider->of_the_photo()), irregularities(),
-                      found.mode.position, *found.laplace, manifest_.basins, settings_, shared_);
+    found.average = learn_average(*finder_->coarsest(), posterior().with(found.wider->of_the_photo()),
+                                  finder_->irregularities(), found.mode.position, *found.laplace,
+                                  manifest_.basins, settings_, shared_);
   } else {
     Emulation made = learnt_about(found);
     found.emulator = std::move(made.emulator);
@@ -249,7 +226,7 @@ ModeFound SamplerRun::with_proposals(ModeFound found) {
 }
 
 Emulation SamplerRun::learnt_about(const ModeFound& found) {
-  return learn_emulator(*coarsest(), *posteriors_.back(), found.mode, *found.laplace, manifest_.basins,
+  return learn_emulator(*finder_->coarsest(), posterior(), found.mode, *found.laplace, manifest_.basins,
                         settings_, shared_);
 }
 
@@ -257,54 +234,9 @@ Emulation SamplerRun::learnt_about(const ModeFound& found) {
 void SamplerRun::check_is_where_it_was() const {
   constexpr double kRounding = 1e-2;  // of log densities on other threads or another machine
   const double was = found_->mode.evaluation.log_density;
-  const double is = posteriors_.back()->value(found_->mode.position).log_density;
+  const double is = posterior().value(found_->mode.position).log_density;
   if (!(std::abs(is - was) <= kRounding * (1 + std::abs(was))))
     refuse_state(mode_state_file(directory_), "photo.png is not the photo that it was found with");
-}
-
-bool SamplerRun::averages() const {
-  return settings_.errors == "averaged" ||
-         (settings_.errors == kAuto && !settings_.map_only && emulates_ && has_jagged(*posteriors_.back()));
-}
-
-IrregularityPool& SamplerRun::irregularities() {
-  if (!pool_) pool_ = make_pool(table_, kSimulatedSeeds, kIrregularityPhotos);
-  return *pool_;
-}
-
-std::unique_ptr<Posterior> SamplerRun::coarsest() const {
-  return std::make_unique<Posterior>(search_settings(settings_, pyramid(settings_.resolution).front()),
-                                     photo_);
-}
-
-void SamplerRun::keep_the_finest() {
-  if (settings_.resolution != pyramid(settings_.resolution).front())
-    posteriors_.push_back(
-        std::make_unique<Posterior>(posterior_settings(settings_, settings_.resolution), photo_));
-  posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);
-}
-
-std::vector<Position> SamplerRun::guesses() const {
-  const bool knows_better = settings_.start != "map" && settings_.start != "predict";
-  if (knows_better) return {};
-  return predicted_guesses(*posteriors_.front(), photo_, settings_.capture, settings_.seed);
-}
-
-int SamplerRun::finalists() const { return averages() ? 1 : MapSearchSettings{}.finalists; }
-
-ModeFound SamplerRun::search() {
-  if (is_calibrated()) return calibrate();
-  const std::vector<int> levels = pyramid(settings_.resolution);
-  for (std::size_t i = posteriors_.size(); i < levels.size(); ++i) {
-    shared_.control.checkpoint();
-    posteriors_.push_back(std::make_unique<Posterior>(search_settings(settings_, levels[i]), photo_));
-  }
-  const auto keep_best = [this](const MapPoint& best) { keep(best); };
-  const std::vector<OptimizerResult> found =
-      find_matches(posteriors_, settings_, guesses(), finalists(), shared_, keep_best).basins;
-  posteriors_.erase(posteriors_.begin(), posteriors_.end() - 1);  // only the finest is sampled
-  if (!averages()) return mode_of(*posteriors_.back(), found, shared_);
-  return widen(basins_of(*posteriors_.back(), found));
 }
 
 void SamplerRun::keep(const MapPoint& best) {
@@ -316,53 +248,12 @@ void SamplerRun::keep(const MapPoint& best) {
   keep_next_ = now + kInterval;
 }
 
-ModeFound SamplerRun::calibrate() {
-  keep_the_finest();
-  // There is something to see while photos are simulated.
-  if (const auto guessed = guesses(); !guessed.empty()) show(guessed.front());
-  CalibratedMode calibrated =
-      calibrate_errors(*posteriors_.back(), photo_, settings_, shared_, [this] { return coarse_match(); });
-  use(calibrated.errors);
-  show(calibrated.mode.position);
-  return {.mode = std::move(calibrated.mode),
-          .laplace = std::move(calibrated.laplace),
-          .errors = std::move(calibrated.errors)};
-}
-
-Position SamplerRun::coarse_match() {
-  std::vector<std::unique_ptr<Posterior>> coarse;
-  coarse.push_back(coarsest());
-  const auto keep_best = [this](const MapPoint& best) { keep(best); };
-  Position match = find_matches(coarse, settings_, guesses(), finalists(), shared_, keep_best).best.position;
-  shared_.edit_status([](RunStatus& status) { status.search_fraction = 0; });  // photos are simulated again
-  return match;
-}
-
-void SamplerRun::show(const Position& position) {
-  const Posterior& posterior = *posteriors_.back();
-  const double lp = posterior.value(position).log_density;
-  shared_.edit_status([&](RunStatus& status) {
-    status.best = posterior.values(position);
-    status.best_lp = lp;
-  });
-  keep({posterior.values(position), lp});
-}
-
-void SamplerRun::use(const CalibratedErrors& errors) {
-  posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(errors.likelihood));
-  manifest_.photo_fit = errors.fit;
-}
-
-void SamplerRun::use(const WiderErrors& wider) {
-  posteriors_.back() = std::make_unique<Posterior>(posteriors_.back()->with(wider));
-}
-
 bool SamplerRun::learn_again(ModeFound& found) {
   if (!found.emulator || found.has_learnt_again || *settings_.warmup == 0) return false;
   const Stopwatch stopwatch(manifest_.seconds.search);
   if (!found.known) found.known = learnt_about(found).known;
-  found.emulator = emulator_of_warmup(*posteriors_.back(), *found.known, found.mode, *found.laplace,
-                                      directory_, settings_, shared_);
+  found.emulator = emulator_of_warmup(posterior(), *found.known, found.mode, *found.laplace, directory_,
+                                      settings_, shared_);
   found.known.reset();
   found.has_learnt_again = true;
   keep(found);
@@ -371,7 +262,7 @@ bool SamplerRun::learn_again(ModeFound& found) {
 
 void SamplerRun::sample(ModeFound found) {
   enter(RunPhase::warming_up, "warming up");
-  const Posterior& posterior = *posteriors_.back();
+  const Posterior& posterior = this->posterior();
   const RunTarget target(posterior, found, settings_, shared_.control);
   const auto kernel = target.kernel();
   std::unique_ptr<const Kernel> again;  // of the draws, where warm-up taught anything

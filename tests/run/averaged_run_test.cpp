@@ -20,7 +20,7 @@ namespace {
 
 class AveragedRun : public RunTest {
  protected:
-  static RunSettings averaged() {
+  static RunSettings with_averages() {
     RunSettings asked = with_errors("averaged");
     asked.material = "leather";
     asked.resolution = settings().resolution;
@@ -39,7 +39,7 @@ class AveragedRun : public RunTest {
 };
 
 TEST_F(AveragedRun, KeepsWhatItWidenedByAndItsModeIsUnderIt) {
-  RunSettings asked = averaged();
+  RunSettings asked = with_averages();
   asked.map_only = true;
   draws_to_the_end(*start(asked));
   const ModeFound found = this->found();
@@ -52,20 +52,19 @@ TEST_F(AveragedRun, KeepsWhatItWidenedByAndItsModeIsUnderIt) {
 }
 
 TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
-  RunSettings asked = averaged();
+  RunSettings asked = with_averages();
   asked.warmup = 400;
   const std::vector<Draw> draws = draws_to_the_end(*start(asked));
   EXPECT_EQ(read_manifest(directory()).kernel, "emulated");
   const ModeFound found = this->found();
   ASSERT_TRUE(found.average && found.wider);
   const Posterior hand = by_hand();
-  const VettedDensity density(
-      *found.average, std::make_shared<Posterior>(hand.with(found.wider->of_the_photo())), hand.informed());
+  const auto density = averaged(hand, *found.wider, *found.average);
   int after = 0;
   for (const Draw& draw : draws) {
     if (draw.warmup) continue;
     ++after;
-    const double lp = density.value(hand.position(draw.values)).log_density;
+    const double lp = density->value(hand.position(draw.values)).log_density;
     EXPECT_NEAR(draw.lp, lp, 1e-3 * (1 + std::abs(lp)));
   }
   EXPECT_EQ(after, asked.chains * asked.draws);
@@ -76,7 +75,7 @@ TEST_F(AveragedRun, DrawsFromTheAverageThatItKeepsAfterAShortWarmUp) {
 }
 
 TEST_F(AveragedRun, AMatchAloneIsByHandSetErrorsAndDrawsThatFollowItAreAveraged) {
-  RunSettings asked = averaged();
+  RunSettings asked = with_averages();
   asked.errors = kAuto;
   asked.map_only = true;
   draws_to_the_end(*start(asked));
@@ -103,7 +102,7 @@ TEST_F(AveragedRun, AMatchAloneIsByHandSetErrorsAndDrawsThatFollowItAreAveraged)
 
 /// Searches begin at fewer pixels and without covariances, whose summary has another length.
 TEST_F(AveragedRun, GoesOnWhereItsSearchBeganByAnotherSummary) {
-  RunSettings asked = averaged();
+  RunSettings asked = with_averages();
   asked.summary = "covariances";
   asked.resolution = 136;
   asked.map_only = true;
@@ -130,7 +129,7 @@ TEST_F(AveragedRun, IsNotWhatAutoComesToWhereNothingIsJagged) {
 }
 
 TEST_F(AveragedRun, HasNoAverageWhereRendersAreNotEmulated) {
-  RunSettings asked = averaged();
+  RunSettings asked = with_averages();
   asked.kernel = "hmc";
   draws_to_the_end(*start(asked));
   const ModeFound found = this->found();
