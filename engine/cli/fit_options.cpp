@@ -46,7 +46,8 @@ void FitOptions::add_to(CLI::App& command) {
   add_sampler(command);
   add_counts(command);
   add_stop_rules(command);
-  command.add_flag("--map-only", parsed_.map_only, "Stop when the best match is found");
+  command.add_flag("--map-only", parsed_.map_only,
+                   "Stop when the best match is found, by --errors paper unless others are asked for");
   command.add_flag("--resume", resume,
                    "Go on with the run in RUN_DIR, to the draws that it would have made undisturbed; with a "
                    "larger --draws also after its end. Starts it if there is none");

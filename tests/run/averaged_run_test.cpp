@@ -103,7 +103,7 @@ TEST_F(AveragedRun, AMatchAloneIsByHandSetErrorsAndDrawsThatFollowItAreAveraged)
 /// Searches begin at fewer pixels and without covariances, whose summary has another length.
 TEST_F(AveragedRun, GoesOnWhereItsSearchBeganByAnotherSummary) {
   RunSettings asked = with_averages();
-  asked.summary = "covariances";
+  asked.summary = "gram+covariances";
   asked.resolution = 136;
   asked.map_only = true;
   const ParameterTable& table = material_table("leather");
