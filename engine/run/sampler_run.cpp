@@ -270,6 +270,7 @@ void SamplerRun::sample(ModeFound found) {
     if (learn_again(found)) again = target.kernel();
     return again ? *again : *kernel;
   };
+  const auto asked = start_of(posterior, settings_, photo_);
   RunSettings drawing = settings_;
   drawing.warmup = manifest_.warmup;
   const ChainPlan plan{.settings = drawing,
@@ -282,7 +283,7 @@ void SamplerRun::sample(ModeFound found) {
                        .metric = metric_in_use(metric_kind(settings_.metric), is_emulated(found)),
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = start_of(posterior, settings_, photo_),
+                       .start = asked ? asked : target.start(),
                        .kernel_of_draws = kernel_of_draws};
   ChainsDone done = run_chains(plan, record_, shared_);
   draws_made_ = done.draws;
