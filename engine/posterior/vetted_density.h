@@ -49,8 +49,6 @@ class VettedDensity final : public LogDensity {
   VettedDensity& operator=(const VettedDensity&) = delete;
 
   const Emulator& emulator() const { return average_.emulator; }
-  /// Of all coordinates, nowhere below this density.
-  const LogDensity& emulated() const { return emulated_; }
   const std::vector<Eigen::Index>& informed() const { return informed_; }
 
  private:

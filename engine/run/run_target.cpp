@@ -1,7 +1,6 @@
 #include "engine/run/run_target.h"
 
 #include "engine/posterior/emulated_moves.h"
-#include "engine/run/chain_start.h"
 #include "engine/run/emulated_proposals.h"
 #include "engine/sampling/kernels.h"
 
@@ -35,15 +34,6 @@ ChainState RunTarget::mode() const {
   if (!average_) return found_.mode;
   const Position& position = found_.mode.position;
   return {position, density_.evaluate(position)};
-}
-
-std::function<Position(Rng&)> RunTarget::start() const {
-  if (!average_) return {};
-  return [this](Rng& rng) {
-    const LogDensity& emulated = average_->emulated();
-    const Position& mode = found_.mode.position;
-    return overdispersed_start(emulated, {mode, emulated.evaluate(mode)}, *spread(), rng).position;
-  };
 }
 
 std::shared_ptr<const Metric> RunTarget::spread() const {

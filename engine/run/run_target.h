@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,9 +30,6 @@ class RunTarget {
   /// Where chains begin, about, and how far that spreads.
   ChainState mode() const;
   std::shared_ptr<const Metric> spread() const;
-  /// See ChainPlan::start. Of an average overdispersed_start() of the polynomials, which costs no render: by
-  /// rejection already the first place that is drawn hardly depends on it.
-  std::function<Position(Rng&)> start() const;
 
  private:
   const Posterior& posterior_;

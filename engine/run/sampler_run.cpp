@@ -270,7 +270,6 @@ void SamplerRun::sample(ModeFound found) {
     if (learn_again(found)) again = target.kernel();
     return again ? *again : *kernel;
   };
-  const auto asked = start_of(posterior, settings_, photo_);
   RunSettings drawing = settings_;
   drawing.warmup = manifest_.warmup;
   const ChainPlan plan{.settings = drawing,
@@ -283,7 +282,7 @@ void SamplerRun::sample(ModeFound found) {
                        .metric = metric_in_use(metric_kind(settings_.metric), is_emulated(found)),
                        .directory = directory_,
                        .run_key = run_key_,
-                       .start = asked ? asked : target.start(),
+                       .start = start_of(posterior, settings_, photo_),
                        .kernel_of_draws = kernel_of_draws};
   ChainsDone done = run_chains(plan, record_, shared_);
   draws_made_ = done.draws;
