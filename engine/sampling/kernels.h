@@ -49,6 +49,10 @@ std::unique_ptr<Kernel> make_single_discrete_move();
 /// move does. Valid for any target.
 std::unique_ptr<Kernel> make_refresh_move();
 
+/// Proposes a coordinate's negative: where coordinates are scaled to a prior N(0, I), its image on the other
+/// side of the prior's middle, over a valley that nothing walks through. Valid for any target.
+std::unique_ptr<Kernel> make_mirror_move(Eigen::Index coordinate);
+
 /// Algorithm 1: with probability alpha the continuous kernel, else the discrete move.
 std::unique_ptr<Kernel> make_mixture(std::unique_ptr<Kernel> continuous, std::unique_ptr<Kernel> discrete,
                                      double alpha);

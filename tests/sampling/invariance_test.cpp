@@ -176,6 +176,15 @@ TEST(Invariance, walks_of_all_scales_keep_exact_draws_exact) {
   EXPECT_LT(outcome.accepted, 0.99);
 }
 
+TEST(Invariance, mirror_moves_keep_exact_draws_exact) {
+  for (const Eigen::Index coordinate : {0, 1}) {
+    const Outcome outcome = after_transitions(*make_mirror_move(coordinate), SkewedTarget(), 5);
+    EXPECT_LT(outcome.worst, 1) << outcome.worst_name;
+    EXPECT_GT(outcome.moved, 0.2);
+    EXPECT_LT(outcome.accepted, 0.99);
+  }
+}
+
 TEST(Invariance, is_lost_when_a_refresh_forgets_its_proposal) {
   EXPECT_GT(after_transitions(RefreshWithoutProposalTerm(), SkewedTarget(), 5).worst, 1);
 }
