@@ -9,15 +9,6 @@
 namespace patina {
 namespace {
 
-template <class T>
-void serialise(Archive& archive, std::optional<T>& value) {
-  bool is_there = value.has_value();
-  archive(is_there);
-  if (!is_there) return;
-  if (!value) value.emplace();
-  archive(*value);
-}
-
 /// What the settings make optional is there or not with them; an emulator is not before there are chains.
 void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) {
   archive(found.mode, found.laplace);
@@ -26,11 +17,11 @@ void serialise(Archive& archive, ModeFound& found, const RunSettings& settings) 
     archive(*found.errors);
   }
   const bool may_average = settings.errors == "averaged" || settings.errors == kAuto;
-  if (may_average) serialise(archive, found.wider);
+  if (may_average) archive(found.wider);
   if (settings.kernel != kEmulated && settings.kernel != kAuto) return;
   archive(found.has_tried_to_emulate);
-  serialise(archive, found.emulator);
-  if (may_average) serialise(archive, found.average);
+  archive(found.emulator);
+  if (may_average) archive(found.average);
   archive(found.has_learnt_again);
 }
 

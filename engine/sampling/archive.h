@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -68,6 +69,15 @@ template <typename T>
 void serialise(Archive& archive, std::vector<T>& list) {
   list.resize(static_cast<std::size_t>(archive.count(static_cast<Eigen::Index>(list.size()), 1)));
   for (T& element : list) archive(element);
+}
+
+template <typename T>
+void serialise(Archive& archive, std::optional<T>& value) {
+  bool is_there = value.has_value();
+  archive(is_there);
+  if (!is_there) return;
+  if (!value) value.emplace();
+  archive(*value);
 }
 
 void serialise(Archive& archive, Eigen::VectorXd& vector);
