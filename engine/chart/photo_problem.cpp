@@ -99,12 +99,18 @@ std::optional<ChartProblem::Averaged> PhotoProblem::average(const ChartSetting& 
   const Posterior widened = posterior_->with(wider);
   std::vector<Position> places;
   for (const ChainState& end : ends) places.push_back(end.position);
-  const std::vector<OptimizerResult> climbed = climb_on(widened, places);
+  std::vector<OptimizerResult> climbed = climb_on(widened, places);
   const Metric laplace(laplace_covariance(widened, climbed.front().position));
+  const ChainState best{climbed.front().position, climbed.front().evaluation};
+  for (OptimizerResult& image : climbed_images(widened, best, laplace, informed()))
+    climbed.push_back(std::move(image));
 
   const Posterior by_render = posterior_->with(wider.of_the_photo());
   std::vector<ChainState> basins;
   for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render.value(end.position)});
+  std::ranges::stable_sort(basins, std::ranges::greater{},
+                           [](const ChainState& basin) { return basin.evaluation.log_density; });
+  settings.basins = as_good(basins);
   const std::vector<ChainState> starts = emulator_starts(
       by_render, by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
   const auto made = emulate_average(by_render, starts, laplace, settings);

@@ -58,12 +58,13 @@ class Learner {
     for (const Eigen::Index i : informed_) priors.push_back(all[static_cast<std::size_t>(i)]);
     axes_ =
         LogParameters::about(priors, mode_(informed_), informed_laplace_.covariance().diagonal().cwiseSqrt());
+    sides_ = two_sided(starts);
     for (int k = 0; k < kEmulatorWalkers; ++k)
       walkers_.push_back({starts[static_cast<std::size_t>(k) % starts.size()], Rng(rng_(), k)});
   }
 
   Emulation learn() {
-    evaluate(about_the_mode());
+    evaluate(about_the_basins());
     fit();
     Emulation result;
     std::vector<double> taken;  // by round
@@ -87,7 +88,7 @@ class Learner {
     constexpr Eigen::Index kFewestOfAverage = 3200;
     constexpr int kChecked = 128;
     const Eigen::Index most = settings_.most > 0 ? most_ : std::max(kFewestOfAverage, most_);
-    evaluate(about_the_mode());
+    evaluate(about_the_basins());
     evaluate(about_the_starts());
     fit();
     for (;;) {
@@ -199,13 +200,33 @@ class Learner {
     return *at;
   }
 
-  void fit() { emulator_ = Emulator(known_.worth_learning(first_), axes_); }
+  void fit() { emulator_ = Emulator(known_.worth_learning(first_), axes_, sides_); }
 
-  Eigen::MatrixXd about_the_mode() {
+  /// Along which informed coordinate the basins lie on both sides of the middle, furthest apart; none where
+  /// none do by a prior sd.
+  std::optional<Eigen::Index> two_sided(const std::vector<ChainState>& starts) const {
+    double furthest = 1;  // prior sds
+    std::optional<Eigen::Index> along;
+    for (std::size_t k = 1; k < settings_.basins; ++k) {
+      const Eigen::VectorXd there = starts[k].position.continuous(informed_), here = mode_(informed_);
+      for (Eigen::Index i = 0; i < here.size(); ++i)
+        if (here[i] * there[i] < 0 && std::abs(there[i] - here[i]) > furthest) {
+          furthest = std::abs(there[i] - here[i]);
+          along = i;
+        }
+    }
+    return along;
+  }
+
+  /// About the mode, and as many about other basins as good, in turn.
+  Eigen::MatrixXd about_the_basins() {
     constexpr double kSpread = 1.2;  // Laplace's sds
     Eigen::MatrixXd places(std::ssize(informed_), first_);
-    for (auto place : places.colwise())
-      place = mode_(informed_) + kSpread * informed_laplace_.colour(rng_.normals(place.size()));
+    for (Eigen::Index i = 0; i < places.cols(); ++i) {
+      const Position& basin = walkers_[static_cast<std::size_t>(i) % settings_.basins].state.position;
+      places.col(i) =
+          basin.continuous(informed_) + kSpread * informed_laplace_.colour(rng_.normals(places.rows()));
+    }
     return places;
   }
 
@@ -238,8 +259,8 @@ class Learner {
     settings.noise_repeats = 0;
     settings.threads = settings_.threads;
     const TemperedDensity wide(emulator_, beta);
-    const auto kernel =
-        make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
+    auto kernel = make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
+    if (sides_) kernel = make_mixture(std::move(kernel), make_mirror_move(*sides_), kNotMirrored);
     const Sample sample = patina::sample(
         wide, *kernel, settings,
         [&](Rng& rng) {
@@ -327,12 +348,22 @@ class Learner {
   Eigen::Index first_, most_;  ///< evaluations
   Rng rng_;
   LogParameters axes_;
+  std::optional<Eigen::Index> sides_;
   std::vector<Walker> walkers_;  ///< the first begins at the mode
   KnownResiduals known_;
   Emulator emulator_;
 };
 
 }  // namespace
+
+std::size_t as_good(const std::vector<ChainState>& basins) {
+  constexpr double kBehind = 7;  // nats
+  const auto is_behind = [&](const ChainState& basin) {
+    return basin.evaluation.log_density < basins.front().evaluation.log_density - kBehind;
+  };
+  const auto first_behind = std::ranges::find_if(basins, is_behind);
+  return std::max<std::size_t>(static_cast<std::size_t>(first_behind - basins.begin()), 1);
+}
 
 bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
 

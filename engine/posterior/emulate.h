@@ -25,6 +25,8 @@ struct EmulateSettings {
   /// Share of its proposals that the posterior takes: at least this two rounds in a row, and no more are
   /// made; below the other one the emulator is of no use.
   double good = 0.7, poor = 0.1;
+  /// How many of the starts, from the first one on, are basins to learn about, each as much as the mode.
+  std::size_t basins = 1;
   int threads = 1;
   std::uint64_t seed = 1;
 
@@ -42,6 +44,11 @@ struct Emulation {
 };
 
 constexpr int kEmulatorWalkers = 16;
+
+/// How many of them, beginning with the best, are about as good as it: some hundredths of a posterior may lie
+/// there.
+/// @param basins  with their log densities, best first   @return at least 1
+std::size_t as_good(const std::vector<ChainState>& basins);
 
 /// Whether a posterior can be emulated: it has informed coordinates. What its places of textures and its
 /// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.
@@ -65,9 +72,10 @@ Emulation emulate(const Posterior& posterior, const std::vector<ChainState>& sta
                   const EmulateSettings& settings);
 
 /// What the posterior is on average over irregularities (VettedDensity): learnt from renders of
-/// settings.others about the mode and about the starts, then, round by round, from draws of the emulator that
-/// begin at these, its likelihood softened at first, until most of them (EmulateSettings::good) are about as
-/// deep as it promises. No chains come along: of one z's they know the pits, not the mean.
+/// settings.others about the basins and about the starts, then, round by round, from draws of the emulator
+/// that begin at these, its likelihood softened at first, until most of them (EmulateSettings::good) are
+/// about as deep as it promises. No chains come along: of one z's they know the pits, not the mean. Where
+/// basins lie on both sides of the middle of a coordinate's prior, the emulator has sides.
 /// @return none if in the end only few draws are taken (EmulateSettings::poor)
 std::optional<AveragedEmulator> emulate_average(const Posterior& posterior,
                                                 const std::vector<ChainState>& starts, const Metric& laplace,

@@ -36,12 +36,16 @@ class EmulatedProposals {
   std::unique_ptr<Kernel> moves(double path_length) const;  ///< one transition
 
   Emulator emulator_;
+  std::vector<Eigen::Index> informed_;
   InformedDensity density_;
 };
 
 /// Moves of a target that need no gradient, along jagged coordinates as well: a random walk and refresh
 /// moves.
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target);
+
+/// Share of the moves under an emulator that has sides which do not go from one to the other.
+constexpr double kNotMirrored = 0.8;
 
 /// Power of the emulated likelihood in proposals: from tails that are too heavy a way leads back.
 constexpr double kSoftened = 0.8;

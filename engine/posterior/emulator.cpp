@@ -14,6 +14,8 @@ namespace {
 // Of the monomials' sums of squares, which are about as large as the number of examples.
 constexpr double kRidge = 0.01;
 
+constexpr double kStep = 0.7;  // prior sds, of the step between two sides
+
 constexpr double kFollowed = 2;  // nats a coordinate above the best example
 
 /// Of the squares that are made least, 1 on average: what lies a nat a coordinate deeper than the best counts
@@ -39,14 +41,17 @@ Eigen::VectorXd EmulatorExamples::energies() const {
   return (places.colwise().squaredNorm().transpose() + products.diagonal()) / 2;
 }
 
-Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes) : axes_(axes) {
+Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes,
+                   std::optional<Eigen::Index> sides)
+    : axes_(axes), sides_(sides) {
   Eigen::MatrixXd x = examples.places;
   for (auto column : x.colwise()) column = axes_.values(column);
   centre_ = x.rowwise().mean();
   whitening_ = whitening_of(x.colwise() - centre_);
-  const Eigen::Index n = examples.count(), k = monomials(dimension());
+  const Eigen::Index n = examples.count(), k = size();
   Eigen::MatrixXd design(n, k);
-  for (Eigen::Index i = 0; i < n; ++i) design.row(i) = features(whitening_ * (x.col(i) - centre_));
+  for (Eigen::Index i = 0; i < n; ++i)
+    design.row(i) = features(whitening_ * (x.col(i) - centre_), side(examples.places.col(i)));
   Eigen::VectorXd ridge = Eigen::VectorXd::Constant(k, kRidge);
   ridge[0] = 0;
   const Eigen::VectorXd importance = importance_of(examples);
@@ -62,16 +67,20 @@ Eigen::Index Emulator::monomials(Eigen::Index dimension) {
   return QuadraticFeatures(dimension, /*products=*/true).size() + dimension;
 }
 
-Eigen::VectorXd Emulator::features(const Eigen::VectorXd& w) const {
-  Eigen::VectorXd f(monomials(w.size()));
-  f << quadratic().values(w), w.array().cube().matrix();
+double Emulator::side(const Eigen::VectorXd& u) const { return sides_ ? std::tanh(u[*sides_] / kStep) : 0; }
+
+Eigen::VectorXd Emulator::features(const Eigen::VectorXd& w, double side) const {
+  Eigen::VectorXd f(size());
+  f.head(monomials(w.size())) << quadratic().values(w), w.array().cube().matrix();
+  if (sides_) f.tail(1 + w.size()) << side, side * w;
   return f;
 }
 
-Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, const Eigen::VectorXd& weights) const {
+Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, double side, const Eigen::VectorXd& weights) const {
   const Eigen::Index d = w.size();
   Eigen::VectorXd slope = weights.segment(1, d) + 2 * w.cwiseProduct(weights.segment(1 + d, d)) +
-                          3 * w.cwiseAbs2().cwiseProduct(weights.tail(d));
+                          3 * w.cwiseAbs2().cwiseProduct(weights.segment(monomials(d) - d, d));
+  if (sides_) slope += side * weights.tail(d);
   Eigen::Index k = 1 + 2 * d;
   for (Eigen::Index i = 0; i < d; ++i)
     for (Eigen::Index j = 0; j < i; ++j, ++k) {
@@ -83,14 +92,17 @@ Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, const Eigen::VectorXd&
 
 Evaluation Emulator::evaluate(const Position& position) const {
   const Eigen::VectorXd& u = position.continuous;
-  const Eigen::VectorXd w = whitening_ * (axes_.values(u) - centre_), f = features(w);
+  const double side = this->side(u);
+  const Eigen::VectorXd w = whitening_ * (axes_.values(u) - centre_), f = features(w, side);
   Eigen::VectorXd pull(f.size());
   symmetric::multiply(weights_.data(), f.data(), pull.data(), f.size());
-  const Eigen::VectorXd by_axis = whitening_.transpose() * slope(w, pull);
+  Eigen::VectorXd by_u = axes_.derivatives(u).cwiseProduct(whitening_.transpose() * slope(w, side, pull));
+  if (sides_)
+    by_u[*sides_] += (1 - side * side) / kStep * (pull[f.size() - 1 - w.size()] + pull.tail(w.size()).dot(w));
   const double misfit = f.dot(pull) / 2, beyond = std::max(misfit - followed_, 0.0);
   const double flat = std::min(misfit, followed_) + tail_ * std::log1p(beyond / tail_);
   const double share = tail_ / (tail_ + beyond);
-  return {-u.squaredNorm() / 2 - flat, -u - share * axes_.derivatives(u).cwiseProduct(by_axis)};
+  return {-u.squaredNorm() / 2 - flat, -u - share * by_u};
 }
 
 Emulator Emulator::softened(double power) const {
@@ -102,15 +114,15 @@ Emulator Emulator::softened(double power) const {
 }
 
 bool Emulator::is_of(Eigen::Index dimension) const {
-  const Eigen::Index k = monomials(dimension);
-  return axes_.fits(dimension) && centre_.size() == dimension && whitening_.rows() == dimension &&
-         whitening_.cols() == dimension && weights_.rows() == k && weights_.cols() == k &&
-         centre_.allFinite() && whitening_.allFinite() && weights_.allFinite() && std::isfinite(followed_) &&
-         tail_ > 0 && std::isfinite(tail_);
+  const Eigen::Index k = monomials(dimension) + (sides_ ? 1 + dimension : 0);
+  return axes_.fits(dimension) && (!sides_ || (*sides_ >= 0 && *sides_ < dimension)) &&
+         centre_.size() == dimension && whitening_.rows() == dimension && whitening_.cols() == dimension &&
+         weights_.rows() == k && weights_.cols() == k && centre_.allFinite() && whitening_.allFinite() &&
+         weights_.allFinite() && std::isfinite(followed_) && tail_ > 0 && std::isfinite(tail_);
 }
 
 void Emulator::serialise(Archive& archive) {
-  archive(axes_, centre_, whitening_, weights_, followed_, tail_);
+  archive(axes_, sides_, centre_, whitening_, weights_, followed_, tail_);
 }
 
 }  // namespace patina

@@ -140,10 +140,12 @@ std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensit
   std::vector<ChainState> starts = basins.empty() ? std::vector<ChainState>{mode} : basins;
   const std::size_t found = starts.size(), count = std::max<std::size_t>(found, kEmulatorWalkers);
   starts.resize(found + kStartsAWalker * (count - found));
-  const ChainState roughly{mode.position, rough.value(mode.position)};
+  std::vector<ChainState> roughly;
+  for (std::size_t i = 0; i < as_good(basins); ++i)
+    roughly.push_back({starts[i].position, rough.value(starts[i].position)});
   const auto spread = [&](std::size_t i) {
     Rng rng(seed, kSpreadStream + i);
-    starts[found + i] = overdispersed_start(rough, roughly, laplace, rng);
+    starts[found + i] = overdispersed_start(rough, roughly[i % roughly.size()], laplace, rng);
   };
   parallel_for(starts.size() - found, threads, spread, enter_thread);
   starts = furthest_apart(starts, found, count, laplace.covariance().diagonal().cwiseSqrt());
@@ -186,6 +188,9 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
   settings.others = &others;
   std::vector<ChainState> ends = ends_of(basins, posterior);
   for (ChainState& end : ends) end.evaluation = posterior.value(end.position);
+  std::ranges::stable_sort(ends, std::ranges::greater{},
+                           [](const ChainState& end) { return end.evaluation.log_density; });
+  settings.basins = as_good(ends);
   const std::vector<ChainState> starts =
       starts_about(rough, posterior, {mode, posterior.value(mode)}, ends, laplace, settings, shared);
   std::optional<AveragedEmulator> made = emulate_average(posterior, starts, laplace, settings);

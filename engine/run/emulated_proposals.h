@@ -23,8 +23,9 @@ std::vector<std::string> run_kernel_names();
 bool emulates(const RunSettings& settings, const Posterior& posterior);
 
 /// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
-/// of three times as many starts as chains have them (on a rough likeness of the target, which costs less,
-/// and then climbed on the target) those that lie furthest apart, in Laplace's sds. What none begins in,
+/// of three times as many starts as chains have them, about each basin as_good() as the best (on a rough
+/// likeness of the target, which costs less, and then climbed on the target), those that lie furthest apart,
+/// in Laplace's sds. What none begins in,
 /// polynomials may never learn of: an end of leather_6's posterior, power above .4, they thought 7 to 43 nats
 /// too little of where no start lay there, by three of four seeds, and half a nat where one did.
 /// @param rough  of fewer pixels, say, or the target itself

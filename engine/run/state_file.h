@@ -20,7 +20,7 @@ std::filesystem::path mode_state_file(const std::filesystem::path& directory);
 std::filesystem::path warmup_state_file(const std::filesystem::path& directory);
 std::filesystem::path chain_state_file(const std::filesystem::path& directory, int chain);
 
-constexpr int kStateFormat = 6;  ///< grows with every change of what is serialised
+constexpr int kStateFormat = 7;  ///< grows with every change of what is serialised
 
 /// Writes one line (format, what run it belongs to, SHA-256) and the payload, atomically.
 /// @param run_key  without blanks; see run_key()  @throws UserError

@@ -10,6 +10,7 @@
 #include "engine/posterior/wider_errors.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/threads.h"
+#include "engine/sampling/mirror_images.h"
 #include "engine/sampling/optimizer.h"
 #include "engine/sampling/parallel_for.h"
 
@@ -30,6 +31,18 @@ WiderErrors measure(const Posterior& by_hand, const Position& match, Irregularit
   return errors_of_irregularities(simulator, match);
 }
 
+void sort_best_first(std::vector<OptimizerResult>& climbed) {
+  std::ranges::stable_sort(climbed, std::ranges::greater{},
+                           [](const OptimizerResult& end) { return end.evaluation.log_density; });
+}
+
+/// A coordinate along which an image has not climbed back.
+bool is_beyond(const Eigen::VectorXd& image, const Eigen::VectorXd& place, const Eigen::VectorXd& sds) {
+  constexpr double kApart = 2;  // sds
+  const auto other_side = image.array() * place.array() < 0;
+  return (other_side && (image - place).array().abs() > kApart * sds.array()).any();
+}
+
 }  // namespace
 
 std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vector<Position>& ends) {
@@ -41,8 +54,23 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
       climbed.size(), hardware_threads(),
       [&](std::size_t i) { climbed[i] = maximize(target, ends[i], settings); },
       [] { use_tensor_threads(1); });
-  std::ranges::stable_sort(climbed, std::ranges::greater{},
-                           [](const OptimizerResult& end) { return end.evaluation.log_density; });
+  sort_best_first(climbed);
+  return climbed;
+}
+
+std::vector<OptimizerResult> climbed_images(const LogDensity& target, const ChainState& best,
+                                            const Metric& laplace,
+                                            const std::vector<Eigen::Index>& informed) {
+  constexpr std::size_t kMost = 2;
+  const Eigen::VectorXd sds = laplace.covariance().diagonal().cwiseSqrt();
+  std::vector<Position> images;
+  for (ChainState& image :
+       mirror_images(target, best, sds, {informed, hardware_threads(), [] { use_tensor_threads(1); }}))
+    if (images.size() < kMost) images.push_back(std::move(image.position));
+  std::vector<OptimizerResult> climbed = climb_on(target, images);
+  std::erase_if(climbed, [&](const OptimizerResult& end) {
+    return !is_beyond(end.position.continuous, best.position.continuous, sds);
+  });
   return climbed;
 }
 
@@ -52,7 +80,14 @@ ModeFound widened(const Posterior& by_hand, const std::vector<Position>& found, 
   WiderErrors wider = measure(by_hand, found.front(), pool, seed, shared);
   const Posterior posterior = by_hand.with(wider);
   const ControlledDensity target(posterior, shared.control);
-  ModeFound again = mode_of(posterior, climb_on(target, found), shared);
+  std::vector<OptimizerResult> climbed = climb_on(target, found);
+  ModeFound again = mode_of(posterior, climbed, shared);
+  for (OptimizerResult& image : climbed_images(target, again.mode, *again.laplace, posterior.informed()))
+    climbed.push_back(std::move(image));
+  sort_best_first(climbed);
+  if (climbed.front().evaluation.log_density > again.mode.evaluation.log_density)
+    again = mode_of(posterior, climbed, shared);
+  again.basins = basins_of(posterior, climbed);
   again.wider = std::move(wider);
   return again;
 }
