@@ -18,6 +18,7 @@
 #include "engine/run/run_checks.h"
 #include "engine/run/threads.h"
 #include "engine/run/widened_errors.h"
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/rng.h"
@@ -108,8 +109,7 @@ std::optional<ChartProblem::Averaged> PhotoProblem::average(const ChartSetting& 
   const Posterior by_render = posterior_->with(wider.of_the_photo());
   std::vector<ChainState> basins;
   for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render.value(end.position)});
-  std::ranges::stable_sort(basins, std::ranges::greater{},
-                           [](const ChainState& basin) { return basin.evaluation.log_density; });
+  sort_best_first(basins);
   settings.basins = as_good(basins);
   const std::vector<ChainState> starts = emulator_starts(
       by_render, by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);

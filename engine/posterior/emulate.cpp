@@ -13,6 +13,7 @@
 #include "engine/posterior/known_residuals.h"
 #include "engine/posterior/recording_density.h"
 #include "engine/posterior/simulate.h"
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
 #include "engine/sampling/prior_draw.h"
@@ -260,7 +261,7 @@ class Learner {
     settings.threads = settings_.threads;
     const TemperedDensity wide(emulator_, beta);
     auto kernel = make_kernel("hmc", wide, 1, usual_refresh(/*has_jagged=*/false), "joint", kPathLength);
-    if (sides_) kernel = make_mixture(std::move(kernel), make_mirror_move(*sides_), kNotMirrored);
+    if (sides_) kernel = with_mirror_moves(std::move(kernel), *sides_);
     const Sample sample = patina::sample(
         wide, *kernel, settings,
         [&](Rng& rng) {
@@ -356,22 +357,12 @@ class Learner {
 
 }  // namespace
 
-std::size_t as_good(const std::vector<ChainState>& basins) {
-  constexpr double kBehind = 7;  // nats
-  const auto is_behind = [&](const ChainState& basin) {
-    return basin.evaluation.log_density < basins.front().evaluation.log_density - kBehind;
-  };
-  const auto first_behind = std::ranges::find_if(basins, is_behind);
-  return std::max<std::size_t>(static_cast<std::size_t>(first_behind - basins.begin()), 1);
-}
-
 bool can_emulate(const Posterior& posterior) { return !posterior.informed().empty(); }
 
 bool misses_one(const Emulator& emulator, const std::vector<Eigen::Index>& informed, const LogDensity& target,
                 const ChainState& mode, const std::vector<ChainState>& places) {
   if (has_jagged(target)) return false;
-  constexpr double kAsGood = 7;  // nats below the mode: a thousandth of its density
-  constexpr double kOff = 4;     // nats, several times what an emulator in use is off by
+  constexpr double kOff = 4;  // nats, several times what an emulator in use is off by
   const auto error_at = [&](const ChainState& state) {
     const Eigen::VectorXd& u = state.position.continuous;
     const Eigen::VectorXd known = u(informed);

@@ -45,11 +45,6 @@ struct Emulation {
 
 constexpr int kEmulatorWalkers = 16;
 
-/// How many of them, beginning with the best, are about as good as it: some hundredths of a posterior may lie
-/// there.
-/// @param basins  with their log densities, best first   @return at least 1
-std::size_t as_good(const std::vector<ChainState>& basins);
-
 /// Whether a posterior can be emulated: it has informed coordinates. What its places of textures and its
 /// levels do to a log density, the emulator does not know; how much that is, its proposals' acceptance tells.
 bool can_emulate(const Posterior& posterior);

@@ -62,7 +62,7 @@ class EmulatedKernel final : public Kernel {
 
 EmulatedProposals::EmulatedProposals(const Emulator& emulator, const std::vector<Eigen::Index>& informed,
                                      const LogDensity& target)
-    : emulator_(emulator), informed_(informed), density_(emulator_, informed, target) {}
+    : emulator_(emulator), density_(emulator_, informed, target) {}
 
 /// Not straightened: the map that warm-up fits is no good in tails, and where it bends them chains stayed
 /// for thousands of iterations (of 50 moves from leather_6's, a fifteenth led out, a fifth as soon
@@ -72,10 +72,8 @@ std::unique_ptr<Kernel> EmulatedProposals::moves(double path_length) const {
   constexpr double kCareful = 0.4;
   const double refresh = usual_refresh(/*has_jagged=*/false);
   auto kernel = make_mixture(make_hmc(path_length, kMostSteps, kCareful), make_refresh_move(), 1 - refresh);
-  if (const auto sides = emulator_.sides()) {
-    const Eigen::Index coordinate = informed_[static_cast<std::size_t>(*sides)];
-    kernel = make_mixture(std::move(kernel), make_mirror_move(coordinate), kNotMirrored);
-  }
+  if (const auto sides = emulator_.sides())
+    kernel = with_mirror_moves(std::move(kernel), density_.informed()[static_cast<std::size_t>(*sides)]);
   if (density_.discrete_levels().empty()) return kernel;
   return make_mixture(std::move(kernel), make_discrete_move(), kAlpha);
 }
@@ -90,6 +88,11 @@ std::unique_ptr<Kernel> EmulatedProposals::near(double path_length) const {
 
 std::unique_ptr<Kernel> EmulatedProposals::until_taken(double path_length) const {
   return make_rejection(moves(path_length), density_, kMovesApart);
+}
+
+std::unique_ptr<Kernel> with_mirror_moves(std::unique_ptr<Kernel> kernel, Eigen::Index coordinate) {
+  constexpr double kNotMirrored = 0.8;  // of the moves
+  return make_mixture(std::move(kernel), make_mirror_move(coordinate), kNotMirrored);
 }
 
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {

@@ -36,7 +36,6 @@ class EmulatedProposals {
   std::unique_ptr<Kernel> moves(double path_length) const;  ///< one transition
 
   Emulator emulator_;
-  std::vector<Eigen::Index> informed_;
   InformedDensity density_;
 };
 
@@ -44,8 +43,8 @@ class EmulatedProposals {
 /// moves.
 std::unique_ptr<Kernel> make_walk_of(const LogDensity& target);
 
-/// Share of the moves under an emulator that has sides which do not go from one to the other.
-constexpr double kNotMirrored = 0.8;
+/// Now and then from one side of an emulator that has sides to the other, else by the kernel.
+std::unique_ptr<Kernel> with_mirror_moves(std::unique_ptr<Kernel> kernel, Eigen::Index coordinate);
 
 /// Power of the emulated likelihood in proposals: from tails that are too heavy a way leads back.
 constexpr double kSoftened = 0.8;

@@ -114,7 +114,7 @@ Emulator Emulator::softened(double power) const {
 }
 
 bool Emulator::is_of(Eigen::Index dimension) const {
-  const Eigen::Index k = monomials(dimension) + (sides_ ? 1 + dimension : 0);
+  const Eigen::Index k = size();
   return axes_.fits(dimension) && (!sides_ || (*sides_ >= 0 && *sides_ < dimension)) &&
          centre_.size() == dimension && whitening_.rows() == dimension && whitening_.cols() == dimension &&
          weights_.rows() == k && weights_.cols() == k && centre_.allFinite() && whitening_.allFinite() &&

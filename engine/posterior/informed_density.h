@@ -22,6 +22,8 @@ class InformedDensity final : public LogDensity {
   Eigen::Index dimension() const override { return dimension_; }
   std::vector<int> discrete_levels() const override { return levels_; }
 
+  const std::vector<Eigen::Index>& informed() const { return informed_; }
+
   Evaluation evaluate(const Position& position) const override {
     const Eigen::VectorXd known = position.continuous(informed_);
     const Evaluation of_known = density_.evaluate({known, {}});

@@ -13,6 +13,7 @@
 #include "engine/run/draw.h"
 #include "engine/run/run_files.h"
 #include "engine/run/threads.h"
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
 
@@ -188,8 +189,7 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
   settings.others = &others;
   std::vector<ChainState> ends = ends_of(basins, posterior);
   for (ChainState& end : ends) end.evaluation = posterior.value(end.position);
-  std::ranges::stable_sort(ends, std::ranges::greater{},
-                           [](const ChainState& end) { return end.evaluation.log_density; });
+  sort_best_first(ends);
   settings.basins = as_good(ends);
   const std::vector<ChainState> starts =
       starts_about(rough, posterior, {mode, posterior.value(mode)}, ends, laplace, settings, shared);

@@ -10,6 +10,7 @@
 #include "engine/posterior/wider_errors.h"
 #include "engine/run/controlled_density.h"
 #include "engine/run/threads.h"
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/mirror_images.h"
 #include "engine/sampling/optimizer.h"
 #include "engine/sampling/parallel_for.h"
@@ -31,12 +32,7 @@ WiderErrors measure(const Posterior& by_hand, const Position& match, Irregularit
   return errors_of_irregularities(simulator, match);
 }
 
-void sort_best_first(std::vector<OptimizerResult>& climbed) {
-  std::ranges::stable_sort(climbed, std::ranges::greater{},
-                           [](const OptimizerResult& end) { return end.evaluation.log_density; });
-}
-
-/// A coordinate along which an image has not climbed back.
+/// Whether an image has not climbed back.
 bool is_beyond(const Eigen::VectorXd& image, const Eigen::VectorXd& place, const Eigen::VectorXd& sds) {
   constexpr double kApart = 2;  // sds
   const auto other_side = image.array() * place.array() < 0;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/evolution.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
@@ -36,12 +37,6 @@ constexpr double kCostRatio = 4;  // of an evaluation on the next finer target: 
 
 bool same_basin(const Position& a, const Position& b) {
   return a.discrete == b.discrete && (a.continuous - b.continuous).norm() <= kSameBasin;
-}
-
-void sort_best_first(std::vector<OptimizerResult>& results) {
-  std::stable_sort(results.begin(), results.end(), [](const OptimizerResult& a, const OptimizerResult& b) {
-    return a.evaluation.log_density > b.evaluation.log_density;
-  });
 }
 
 /// The best `count` that are not in the basin of a better one; `results` sorted.

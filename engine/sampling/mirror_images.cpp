@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sampling/best_first.h"
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/parallel_for.h"
 
@@ -28,8 +29,7 @@ std::vector<ChainState> mirror_images(const LogDensity& target, const ChainState
   std::erase_if(images, [&](const ChainState& image) {
     return !(image.evaluation.log_density > place.evaluation.log_density - kHopeless);
   });
-  std::ranges::stable_sort(images, std::ranges::greater{},
-                           [](const ChainState& image) { return image.evaluation.log_density; });
+  sort_best_first(images);
   return images;
 }
 
