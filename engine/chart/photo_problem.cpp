@@ -103,14 +103,14 @@ std::optional<ChartProblem::Averaged> PhotoProblem::average(const ChartSetting& 
   std::vector<OptimizerResult> climbed = climb_on(widened, places);
   const Metric laplace(laplace_covariance(widened, climbed.front().position));
   const ChainState best{climbed.front().position, climbed.front().evaluation};
-  for (OptimizerResult& image : climbed_images(widened, best, laplace, informed()))
+  for (OptimizerResult& image : climbed_images(widened, best, laplace, widened.of_either_sign()))
     climbed.push_back(std::move(image));
 
   const Posterior by_render = posterior_->with(wider.of_the_photo());
-  std::vector<ChainState> basins;
-  for (const OptimizerResult& end : climbed) basins.push_back({end.position, by_render.value(end.position)});
-  sort_best_first(basins);
-  settings.basins = as_good(basins);
+  std::vector<ChainState> found;
+  for (const OptimizerResult& end : climbed) found.push_back({end.position, end.evaluation});
+  const std::vector<ChainState> basins = followed_together(by_render, std::move(found));
+  settings.basins = as_good(basins, kAsGoodOnceWalked);
   const std::vector<ChainState> starts = emulator_starts(
       by_render, by_render, basins.front(), basins, laplace, seed, settings.threads, settings.enter_thread);
   const auto made = emulate_average(by_render, starts, laplace, settings);

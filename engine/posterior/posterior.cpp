@@ -213,6 +213,13 @@ std::vector<Eigen::Index> Posterior::informed() const {
   return informed;
 }
 
+std::vector<Eigen::Index> Posterior::of_either_sign() const {
+  std::vector<Eigen::Index> coordinates = informed();
+  const std::vector<TruncatedNormal> priors = free_priors();
+  std::erase_if(coordinates, [&](Eigen::Index i) { return priors[static_cast<std::size_t>(i)].low >= 0; });
+  return coordinates;
+}
+
 Posterior Posterior::with(std::shared_ptr<const RegressedLikelihood> likelihood) const {
   auto parts = std::make_unique<Parts>(*parts_);
   parts->calibrated = std::move(likelihood);

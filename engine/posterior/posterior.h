@@ -104,6 +104,10 @@ class Posterior final : public LogDensity {
   /// irregularities.
   std::vector<Eigen::Index> informed() const;
 
+  /// Those of informed() whose parameters may be negative or positive: along which a material may have a
+  /// symmetry (wood's rings open upwards or downwards).
+  std::vector<Eigen::Index> of_either_sign() const;
+
   /// The same posterior with a likelihood that simulations made, of the informed coordinates, in place of
   /// renders and hand-set errors: it takes microseconds, has no jagged coordinates, and leaves places and
   /// discrete levels their prior.

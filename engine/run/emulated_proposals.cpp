@@ -16,11 +16,12 @@
 #include "engine/sampling/best_first.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/parallel_for.h"
+#include "engine/sampling/valley.h"
 
 namespace patina {
 namespace {
 
-constexpr std::size_t kStartsAWalker = 3;
+constexpr std::size_t kStartsAWalker = 2;
 // Apart from the search's and the chains'.
 constexpr std::uint64_t kSpreadStream = 0x7370'7265'6164, kNearerStream = 0x6e65'6172'6572;
 
@@ -160,6 +161,15 @@ std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensit
   return starts;
 }
 
+std::vector<ChainState> followed_together(const LogDensity& target, std::vector<ChainState> ends) {
+  constexpr double kTooDeep = 150;  // nats; along ridges, and from side to side, up to 62
+  for (ChainState& end : ends) end.evaluation = target.value(end.position);
+  sort_best_first(ends);
+  const ChainState best = ends.front();
+  std::erase_if(ends, [&](const ChainState& end) { return valley_between(target, best, end) > kTooDeep; });
+  return ends;
+}
+
 Emulation learn_emulator(const Posterior& rough, const Posterior& posterior, const ChainState& mode,
                          const Metric& laplace, const std::vector<MapPoint>& basins, const RunSettings& run,
                          RunShared& shared) {
@@ -187,10 +197,8 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
   std::atomic<int> evaluated{0};
   EmulateSettings settings = learning(run, shared, evaluated);
   settings.others = &others;
-  std::vector<ChainState> ends = ends_of(basins, posterior);
-  for (ChainState& end : ends) end.evaluation = posterior.value(end.position);
-  sort_best_first(ends);
-  settings.basins = as_good(ends);
+  const std::vector<ChainState> ends = followed_together(posterior, ends_of(basins, posterior));
+  settings.basins = as_good(ends, kAsGoodOnceWalked);
   const std::vector<ChainState> starts =
       starts_about(rough, posterior, {mode, posterior.value(mode)}, ends, laplace, settings, shared);
   std::optional<AveragedEmulator> made = emulate_average(posterior, starts, laplace, settings);

@@ -23,7 +23,7 @@ std::vector<std::string> run_kernel_names();
 bool emulates(const RunSettings& settings, const Posterior& posterior);
 
 /// Where the chains begin that come along while an emulator learns: what the search ended in, best first, and
-/// of three times as many starts as chains have them, about each basin as_good() as the best (on a rough
+/// of twice as many starts as chains have them, about each basin as_good() as the best (on a rough
 /// likeness of the target, which costs less, and then climbed on the target), those that lie furthest apart,
 /// in Laplace's sds. What none begins in,
 /// polynomials may never learn of: an end of leather_6's posterior, power above .4, they thought 7 to 43 nats
@@ -33,6 +33,16 @@ std::vector<ChainState> emulator_starts(const LogDensity& rough, const LogDensit
                                         const ChainState& mode, const std::vector<ChainState>& basins,
                                         const Metric& laplace, std::uint64_t seed, int threads,
                                         const std::function<void()>& enter_thread);
+
+/// Of what a search ended in, what an average may be learnt about at once: the best, and what no valley parts
+/// from it that is too deep for polynomials (wood_3 has a match whose rings are narrower than a pixel, two
+/// nats behind the best and a valley of 400 to 600 away: learnt about both, chains stayed where they were).
+/// @param target  whose values count   @return  best first
+std::vector<ChainState> followed_together(const LogDensity& target, std::vector<ChainState> ends);
+
+/// Nats below the best within which an average is learnt about a basin as much: climbs leave jagged
+/// coordinates where they were (an image of wood_3's match ended 8 behind where a tenth of the draws lie).
+constexpr double kAsGoodOnceWalked = 12;
 
 /// emulate() of a run, on all processors; keeps its status up to date. No emulator where polynomials do not
 /// follow the renders, or miss a basin, and the kernel is "auto".

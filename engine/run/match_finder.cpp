@@ -42,11 +42,8 @@ std::vector<Position> MatchFinder::guesses() const {
   return predicted_guesses(*posteriors_.front(), photo_, settings_.capture, settings_.seed);
 }
 
-/// One finalist, beside the guess's, where an average follows, which is learnt about other matches of its own
-/// accord (emulator_starts()): of four photos' best matches none was the second finalist's.
 MapSearchResult MatchFinder::search(const std::vector<std::unique_ptr<Posterior>>& pyramid) const {
-  const int finalists = averages() ? 1 : MapSearchSettings{}.finalists;
-  return find_matches(pyramid, settings_, guesses(), finalists, shared_, keep_);
+  return find_matches(pyramid, settings_, guesses(), averages(), shared_, keep_);
 }
 
 ModeFound MatchFinder::find() {

@@ -24,6 +24,14 @@ MapSearchSettings local_search() {
   return settings;
 }
 
+/// An average is learnt about all matches that are about as good: of leather_4's ridge of height and power
+/// each search ended elsewhere, and a run drew from what lay about that end.
+MapSearchSettings search_before_average() {
+  MapSearchSettings settings;
+  settings.finalists = 3;
+  return settings;
+}
+
 void report(RunShared& shared, const Posterior& posterior, double fraction, const Position& best, double lp) {
   shared.edit_status([&](RunStatus& status) {
     status.search_fraction = fraction;
@@ -50,8 +58,9 @@ std::vector<int> pyramid(int resolution) {
 }
 
 MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& posteriors,
-                             const RunSettings& settings, const std::vector<Position>& guesses, int finalists,
-                             RunShared& shared, const std::function<void(const MapPoint&)>& keep) {
+                             const RunSettings& settings, const std::vector<Position>& guesses,
+                             bool average_follows, RunShared& shared,
+                             const std::function<void(const MapPoint&)>& keep) {
   std::vector<std::unique_ptr<ControlledDensity>> controlled;
   std::vector<const LogDensity*> targets;
   for (const auto& posterior : posteriors) {
@@ -59,8 +68,9 @@ MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& post
     targets.push_back(controlled.back().get());
   }
   const Posterior& posterior = *posteriors.back();
-  MapSearchSettings search = settings.start == "predict" ? local_search() : MapSearchSettings{};
-  search.finalists = std::min(search.finalists, finalists);
+  MapSearchSettings search = settings.start == "predict" ? local_search()
+                             : average_follows           ? search_before_average()
+                                                         : MapSearchSettings{};
   search.guesses = guesses;
   search.threads = hardware_threads();
   search.enter_thread = [] { use_tensor_threads(1); };

@@ -40,11 +40,12 @@ struct ModeFound {
 /// @param posteriors  one per level of the pyramid
 /// @param keep        called with that point as it becomes better, by any thread, one at a time
 /// @param guesses     where it looks first; with RunSettings::start "predict" almost only there
-/// @param finalists   see MapSearchSettings; one with "predict"
+/// @param average_follows  over irregularities, learnt about what is found
 /// @throws RunStopped
 MapSearchResult find_matches(const std::vector<std::unique_ptr<Posterior>>& posteriors,
-                             const RunSettings& settings, const std::vector<Position>& guesses, int finalists,
-                             RunShared& shared, const std::function<void(const MapPoint& best)>& keep);
+                             const RunSettings& settings, const std::vector<Position>& guesses,
+                             bool average_follows, RunShared& shared,
+                             const std::function<void(const MapPoint& best)>& keep);
 
 /// What a search ended in, as it is written down.
 std::vector<MapPoint> basins_of(const Posterior& posterior, const std::vector<OptimizerResult>& found);

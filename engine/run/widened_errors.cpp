@@ -56,12 +56,12 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
 
 std::vector<OptimizerResult> climbed_images(const LogDensity& target, const ChainState& best,
                                             const Metric& laplace,
-                                            const std::vector<Eigen::Index>& informed) {
+                                            const std::vector<Eigen::Index>& coordinates) {
   constexpr std::size_t kMost = 2;
   const Eigen::VectorXd sds = laplace.covariance().diagonal().cwiseSqrt();
   std::vector<Position> images;
   for (ChainState& image :
-       mirror_images(target, best, sds, {informed, hardware_threads(), [] { use_tensor_threads(1); }}))
+       mirror_images(target, best, sds, {coordinates, hardware_threads(), [] { use_tensor_threads(1); }}))
     if (images.size() < kMost) images.push_back(std::move(image.position));
   std::vector<OptimizerResult> climbed = climb_on(target, images);
   std::erase_if(climbed, [&](const OptimizerResult& end) {
@@ -78,7 +78,8 @@ ModeFound widened(const Posterior& by_hand, const std::vector<Position>& found, 
   const ControlledDensity target(posterior, shared.control);
   std::vector<OptimizerResult> climbed = climb_on(target, found);
   ModeFound again = mode_of(posterior, climbed, shared);
-  for (OptimizerResult& image : climbed_images(target, again.mode, *again.laplace, posterior.informed()))
+  for (OptimizerResult& image :
+       climbed_images(target, again.mode, *again.laplace, posterior.of_either_sign()))
     climbed.push_back(std::move(image));
   sort_best_first(climbed);
   if (climbed.front().evaluation.log_density > again.mode.evaluation.log_density)

@@ -16,10 +16,11 @@ std::vector<OptimizerResult> climb_on(const LogDensity& target, const std::vecto
 /// Climbs likewise from the least deep mirror_images() of the best of these: other basins that a symmetry of
 /// the material has made.
 /// @param best      with its log density   @param laplace  the covariance about it, about
-/// @param informed  the target's coordinates along which to look
-/// @return          those that have not climbed back
+/// @param coordinates  of the target, along which to look
+/// @return             those that have not climbed back
 std::vector<OptimizerResult> climbed_images(const LogDensity& target, const ChainState& best,
-                                            const Metric& laplace, const std::vector<Eigen::Index>& informed);
+                                            const Metric& laplace,
+                                            const std::vector<Eigen::Index>& coordinates);
 
 /// What a search found by hand-set errors, found again by errors that are wider by what irregularities do at
 /// its best match: errors_of_irregularities(), and climbs on from its basins and their images under them. On

@@ -24,10 +24,17 @@ constexpr double kSameBasin = 0.3;  // prior standard deviations
 // of Laplace's approximation.
 constexpr double kPriorSpread = 0.8, kGuessSpread = 0.4, kFinalistSpread = 0.5;
 constexpr int kLeastGenerations = 80;
-constexpr int kFinalistShare = 2;  // so many times fewer generations: their shape is known
+constexpr int kFinalistShare = 2;  // so many times fewer generations, of half as many: their shape is known
+constexpr int kFinalistPopulation = 12;
 // What climbs of gradients do better: a finalist gains less than half a nat from there on.
 constexpr double kFinalistNarrow = 0.05;
-// Behind the best evolved before, after half of the generations, in nats: who is further behind stays so.
+// Who has found nothing better than its start after a quarter of the generations does not; whoever of 28
+// did, had after five.
+constexpr int kGainBy = 4;
+// Nats behind the best on the coarsest target: who is further behind is not refined. It may look as good by
+// what finer targets add (rings narrower than a pixel, of wood_3), but not by what both see.
+constexpr double kOutrun = 15;
+// Behind the best before, in nats: who is further behind after half of the generations stays so.
 constexpr double kHopeless = 100;
 constexpr double kValueCost = 0.5;  // of an evaluation's with gradient
 
@@ -63,8 +70,9 @@ class Search {
     total_ = candidate_count() + climb_count() * settings.coarse_iterations;
     total_ += settings.finalists * levels_.size() * short_climb();
     if (has_jagged())
-      total_ += kValueCost * EvolutionSettings{}.population * generations() *
-                (settings.evolutions + finalist_count() * cost(grain_target()) / kFinalistShare);
+      total_ += kValueCost * generations() *
+                (EvolutionSettings{}.population * settings.evolutions +
+                 kFinalistPopulation * finalist_count() * cost(grain_target()) / kFinalistShare);
     for (std::size_t i = 1; i < targets.size(); ++i)
       total_ += settings.finalists * settings.fine_iterations * cost(i);
   }
@@ -207,21 +215,26 @@ class Search {
   /// say the same at several times the cost.
   std::size_t grain_target() const { return std::min<std::size_t>(targets_.size() - 1, 1); }
 
-  /// One generation after the other, each on all threads. @param least  ends half-way where its best is below
+  /// One generation after the other, each on all threads. Ends early where it gains nothing.
+  /// @param least  ends half-way where its best is below
   OptimizerResult evolve(std::size_t target, const Position& start, EvolutionSettings evolution,
                          double least = -std::numeric_limits<double>::infinity()) {
     const double work = kValueCost * evolution.population * cost(target);
-    int to_come = evolution.generations;
+    const int all = evolution.generations;
+    int made = 0;
     bool hopeless = false;
     evolution.threads = settings_.threads;
     evolution.enter_thread = settings_.enter_thread;
     evolution.stop_requested = [&] { return hopeless || stopped(); };
     evolution.evolved = [&](const OptimizerResult& best) {
-      hopeless = --to_come == evolution.generations / 2 && best.evaluation.log_density < least;
+      ++made;
+      const bool gains = best.position.continuous != start.continuous;
+      hopeless =
+          (made == all / kGainBy && !gains) || (made == all / 2 && best.evaluation.log_density < least);
       report(best, work);
     };
     OptimizerResult result = patina::evolve(*targets_[target], start, rng_, evolution);
-    report(result, to_come * work);
+    report(result, (all - made) * work);
     return result;
   }
 
@@ -245,20 +258,28 @@ class Search {
     if (!stopped()) candidates = std::move(evolved);
   }
 
-  /// Evolves each once more where the grain tells; coarser targets cannot, but know how far to look.
+  /// Evolves each that is not outrun once more where the grain tells; coarser targets cannot, but know how
+  /// far to look.
   void refine_all(std::vector<OptimizerResult>& results) {
+    double top = results.front().evaluation.log_density;
+    std::erase_if(results, [&](const auto& result) { return result.evaluation.log_density < top - kOutrun; });
     std::vector<Eigen::MatrixXd> shapes(results.size());
     for_all(results.size(), [&](std::size_t i) {
       if (!stopped() && std::isfinite(results[i].evaluation.log_density))
         shapes[i] = laplace_covariance(*targets_.front(), results[i].position);
     });
     begin_on(grain_target());
-    for (std::size_t i = 0; i < results.size() && !stopped(); ++i)
+    top = -std::numeric_limits<double>::infinity();  // of another target
+    for (std::size_t i = 0; i < results.size() && !stopped(); ++i) {
       results[i] = evolve(grain_target(), results[i].position,
                           {.spread = kFinalistSpread,
                            .shape = shapes[i],
+                           .population = kFinalistPopulation,
                            .generations = generations() / kFinalistShare,
-                           .narrow = kFinalistNarrow});
+                           .narrow = kFinalistNarrow},
+                          top - kHopeless);
+      top = std::max(top, results[i].evaluation.log_density);
+    }
     sort_best_first(results);
     if (targets_.size() == 1) climb_all(results, 0, settings_.fine_iterations);
   }

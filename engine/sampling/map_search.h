@@ -18,7 +18,7 @@ struct MapSearchSettings {
   int descents = 8;     ///< best candidates that are climbed from on the coarsest target
   int finalists = 2;    ///< best of those that are climbed from on every finer target
   int evolutions = 4;   ///< of targets with jagged coordinates, on the coarsest, one from a guess
-  int generations = 5;  ///< of each for every continuous coordinate; half as many of a finalist, further on
+  int generations = 5;  ///< of each for every continuous coordinate; half as many, small ones, of a finalist
   int coarse_iterations = 40;
   int fine_iterations = 40;
   int threads =

@@ -11,9 +11,9 @@ namespace patina {
 
 std::vector<ChainState> mirror_images(const LogDensity& target, const ChainState& place,
                                       const Eigen::VectorXd& sds, const MirrorSettings& settings) {
-  constexpr double kApart = 3;      // sds: nearer images are of the same basin
-  constexpr double kFar = 1;        // prior sds: to nearer ones a walk finds the way
-  constexpr double kHopeless = 50;  // nats below the place: wood_3's are 18 to 21, and a climb ends above it
+  constexpr double kApart = 3;       // sds: nearer images are of the same basin
+  constexpr double kFar = 1;         // prior sds: to nearer ones a walk finds the way
+  constexpr double kHopeless = 100;  // nats below the place: wood_3's are 18 to 60, and a climb ends above it
   std::vector<ChainState> images;
   for (const Eigen::Index i : settings.coordinates) {
     ChainState image{place.position, {}};

@@ -11,7 +11,7 @@
 namespace patina {
 
 struct MirrorSettings {
-  std::vector<Eigen::Index> coordinates;    ///< along which to look, whose priors are symmetric about 0
+  std::vector<Eigen::Index> coordinates;    ///< along which to look
   int threads = 1;                          ///< at a time; the result is the same
   std::function<void()> enter_thread = {};  ///< called first on each of those threads
 };

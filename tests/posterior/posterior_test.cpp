@@ -221,6 +221,18 @@ TEST(Posterior, OfAQuarterSeesNoOther) {
   }
 }
 
+TEST(Posterior, CoordinatesOfEitherSignAreThoseAlongWhichRingsMayBeMirrored) {
+  const auto names = [](const std::string& material) {
+    const Posterior posterior(settings_for(material), synthetic_photo(material, 1));
+    std::vector<std::string> names;
+    for (const Eigen::Index i : posterior.of_either_sign())
+      names.push_back(posterior.table().continuous[static_cast<std::size_t>(i)].name);
+    return names;
+  };
+  EXPECT_EQ(names("wood"), (std::vector<std::string>{"center_x", "center_y", "center_z", "cut_angle"}));
+  EXPECT_TRUE(names("leather").empty()) << "shifts are places";
+}
+
 TEST(Posterior, APositionThatIsNotFiniteIsOutsideTheSupport) {
   const Posterior posterior(settings_for("bump"), synthetic_photo("bump", 2));
   Position position{Eigen::VectorXd::Zero(posterior.dimension()), Eigen::VectorXi(0)};

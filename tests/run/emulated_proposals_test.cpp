@@ -48,6 +48,28 @@ std::vector<double> distances_to_those_before(const std::vector<ChainState>& sta
   return result;
 }
 
+TEST(FollowedTogether, AreTheBestByTheTargetAndWhatNoDeepValleyParts) {
+  // Between the first two of three basins the target falls by a few nats, on the way to the third by 200.
+  const FunctionDensity target(1, [](const Position& p) {
+    const double u = p.continuous[0];
+    const double near = std::max(-12.5 * u * u, -2 - 12.5 * (u - 1.5) * (u - 1.5));
+    return Evaluation{std::max(near, 1 - 78 * (u - 8) * (u - 8)), Eigen::VectorXd::Zero(1)};
+  });
+  const auto end = [](double u, double said) {
+    return ChainState{{Eigen::VectorXd::Constant(1, u), {}}, {said, {}}};
+  };
+  const auto places = [&](std::vector<ChainState> ends) {
+    std::vector<double> result;
+    for (const ChainState& kept : followed_together(target, std::move(ends))) {
+      EXPECT_EQ(kept.evaluation.log_density, target.evaluate(kept.position).log_density);
+      result.push_back(kept.position.continuous[0]);
+    }
+    return result;
+  };
+  EXPECT_EQ(places({end(1.5, 0), end(0, -9)}), (std::vector<double>{0, 1.5}));
+  EXPECT_EQ(places({end(0, 0), end(1.5, 0), end(8, 0)}), (std::vector<double>{8}));
+}
+
 TEST(EmulatorStarts, AreTheBasinsAndThenThoseThatLieFurthestApart) {
   const FunctionDensity target(3, [](const Position&) {  // flat: no start is climbed from
     return Evaluation{0, Eigen::VectorXd::Zero(3)};

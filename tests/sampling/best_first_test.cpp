@@ -13,6 +13,7 @@ TEST(AsGood, are_the_best_and_those_a_few_nats_behind) {
   EXPECT_EQ(count({behind(0)}), 1u);
   EXPECT_EQ(count({behind(0), behind(2), behind(6), behind(9)}), 3u);
   EXPECT_EQ(count({behind(0), behind(30)}), 1u);
+  EXPECT_EQ(as_good(std::vector{behind(0), behind(2), behind(6), behind(9)}, 10), 4u);
 }
 
 }  // namespace

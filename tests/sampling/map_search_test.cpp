@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "tests/sampling/targets.h"
@@ -58,23 +59,73 @@ TEST(SearchMap, evolves_along_jagged_coordinates_where_no_gradient_leads) {
   }
 }
 
+/// Another density whose first coordinate is jagged.
+class Jagged final : public LogDensity {
+ public:
+  explicit Jagged(FunctionDensity density) : density_(std::move(density)) {}
+  Eigen::Index dimension() const override { return density_.dimension(); }
+  std::vector<bool> jagged() const override {
+    std::vector<bool> jagged(static_cast<std::size_t>(dimension()), false);
+    jagged.front() = true;
+    return jagged;
+  }
+  Evaluation evaluate(const Position& position) const override {
+    Evaluation evaluation = density_.evaluate(position);
+    evaluation.gradient[0] = 0;
+    return evaluation;
+  }
+
+ private:
+  FunctionDensity density_;
+};
+
 TEST(SearchMap, evolves_finalists_where_a_finer_target_says_what_a_coarse_one_cannot) {
   const JaggedTarget fine = jagged_target();
-  const FunctionDensity coarse{
-      3, [](const Position& position) {
-        return Evaluation{-0.5 * position.continuous.squaredNorm(), -position.continuous};
-      }};
-  /// Knows nothing, and is jagged where the fine one is.
-  struct Blind final : LogDensity {
-    const FunctionDensity& density;
-    explicit Blind(const FunctionDensity& d) : density(d) {}
-    Eigen::Index dimension() const override { return 3; }
-    std::vector<bool> jagged() const override { return {true, false, false}; }
-    Evaluation evaluate(const Position& position) const override { return density.evaluate(position); }
-  };
-  const Blind blind(coarse);
+  const Jagged blind(FunctionDensity(3, [](const Position& position) {
+    return Evaluation{-0.5 * position.continuous.squaredNorm(), -position.continuous};
+  }));
   Rng rng(1);
   EXPECT_GT(search_map({&blind, &fine}, rng).best.evaluation.log_density, -0.5);
+}
+
+/// Basins about -1.5 and 1.5 in every coordinate, as high as they are told to be.
+Jagged basins(double low, double high) {
+  return Jagged(FunctionDensity(3, [=](const Position& position) {
+    const double side = position.continuous.sum() < 0 ? -1 : 1;
+    const Eigen::VectorXd off = position.continuous.array() - 1.5 * side;
+    return Evaluation{(side < 0 ? low : high) - 10 * off.squaredNorm(), -20 * off};
+  }));
+}
+
+TEST(SearchMap, refines_no_basin_that_is_far_behind_where_both_targets_see) {
+  const Jagged fine = basins(5, 0);
+  MapSearchSettings settings;
+  settings.guesses = {{Eigen::Vector3d::Constant(-1.5), {}}};
+  const auto side_found = [&](double behind) {
+    const Jagged coarse = basins(-behind, 0);
+    Rng rng(4);
+    return search_map({&coarse, &fine}, rng, settings).best.position.continuous[0];
+  };
+  EXPECT_LT(side_found(10), 0) << "the finer target tells these two apart";
+  EXPECT_GT(side_found(20), 0);
+}
+
+TEST(SearchMap, ends_an_evolution_early_that_gains_nothing) {
+  const Jagged coarse = basins(0, 0);
+  MapSearchSettings settings;
+  settings.evolutions = 1;
+  settings.finalists = 1;
+  const auto evaluations = [&](double slope) {
+    int count = 0;
+    const FunctionDensity fine(3, [&](const Position& position) {
+      ++count;
+      return Evaluation{slope * position.continuous[0], Eigen::Vector3d::Zero()};
+    });
+    Rng rng(4);
+    search_map({&coarse, &fine}, rng, settings);
+    return count;
+  };
+  EXPECT_LT(evaluations(0), 0.4 * evaluations(1));
 }
 
 TEST(SearchMap, sweeps_levels_that_no_candidate_had) {
