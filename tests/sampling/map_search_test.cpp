@@ -64,11 +64,7 @@ class Jagged final : public LogDensity {
  public:
   explicit Jagged(FunctionDensity density) : density_(std::move(density)) {}
   Eigen::Index dimension() const override { return density_.dimension(); }
-  std::vector<bool> jagged() const override {
-    std::vector<bool> jagged(static_cast<std::size_t>(dimension()), false);
-    jagged.front() = true;
-    return jagged;
-  }
+  std::vector<bool> jagged() const override { return first_alone(dimension()); }
   Evaluation evaluate(const Position& position) const override {
     Evaluation evaluation = density_.evaluate(position);
     evaluation.gradient[0] = 0;

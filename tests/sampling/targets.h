@@ -33,6 +33,13 @@ class GaussianTarget final : public LogDensity {
   Eigen::MatrixXd precision_;
 };
 
+/// Of so many coordinates the first.
+inline std::vector<bool> first_alone(Eigen::Index dimension) {
+  std::vector<bool> chosen(static_cast<std::size_t>(dimension), false);
+  chosen.front() = true;
+  return chosen;
+}
+
 /// N(mean, covariance) with wrinkles along its first coordinate, about a nat high and a thousandth wide, of
 /// which the gradient there says nothing: it is N(0, 1)'s.
 class JaggedTarget final : public LogDensity {
@@ -40,11 +47,7 @@ class JaggedTarget final : public LogDensity {
   JaggedTarget(const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance) : smooth_(mean, covariance) {}
 
   Eigen::Index dimension() const override { return smooth_.dimension(); }
-  std::vector<bool> jagged() const override {
-    std::vector<bool> jagged(static_cast<std::size_t>(dimension()), false);
-    jagged.front() = true;
-    return jagged;
-  }
+  std::vector<bool> jagged() const override { return first_alone(dimension()); }
   Evaluation evaluate(const Position& position) const override {
     Evaluation evaluation = smooth_.evaluate(position);
     evaluation.log_density += 0.5 * std::sin(1000 * position.continuous[0]);
