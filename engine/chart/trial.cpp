@@ -14,6 +14,7 @@
 #include "engine/posterior/emulated_moves.h"
 #include "engine/run/chain_start.h"
 #include "engine/run/emulated_proposals.h"
+#include "engine/run/mode_search.h"
 #include "engine/sampling/kernels.h"
 #include "engine/sampling/map_search.h"
 #include "engine/sampling/sample.h"
@@ -63,7 +64,9 @@ class Running {
     end_search();
     const ChainState mode{found.best.position, found.best.evaluation};
     const std::unique_ptr<Kernel> kernel = this->kernel(target, mode, laplace);
-    draw(target, mode, laplace, *kernel, setting_.warmup);
+    const bool short_of_it = made_.emulator && !has_jagged(target);
+    draw(target, mode, laplace, *kernel,
+         short_of_it ? std::min(setting_.warmup, kEmulatedWarmup) : setting_.warmup);
   }
 
   void end() {
@@ -80,7 +83,8 @@ class Running {
     problem_.use_threads(plan_.threads);
     std::vector<const LogDensity*> targets;
     for (const auto& target : metered_) targets.push_back(target.get());
-    MapSearchSettings settings;
+    MapSearchSettings settings =
+        setting_.errors == "averaged" ? search_before_average() : MapSearchSettings{};
     settings.threads = plan_.threads;
     settings.enter_thread = [&] { problem_.use_threads(1); };
     settings.progress = [&](double, const Position& best, double) {

@@ -130,7 +130,7 @@ void FitOptions::add_counts(CLI::App& command) {
   add(command, "--chains", &RunSettings::chains, "Number of chains");
   add(command, "--warmup", &RunSettings::warmup,
       "Warm-up iterations of each chain (default: 1500 where a parameter is one that gradients do not move, "
-      "else 500)");
+      "else 500; where proposals are emulated no more than 250 are made, of averages 30)");
   add(command, "--draws", &RunSettings::draws, "Draws of each chain after warm-up");
   add(command, "--seed", &RunSettings::seed, "Seed of the search and the chains");
   add(command, "--z-seed", &RunSettings::z_seed, "Seed of the irregularities");

@@ -306,7 +306,7 @@ class Learner {
 
   /// Every third step of a walker is a proposal. @return the share of these that were taken
   double walk(int steps) {
-    const EmulatedProposals proposals(emulator_.softened(kSoftened), informed_, posterior_);
+    const EmulatedProposals proposals(for_proposals(emulator_), informed_, posterior_);
     const auto proposal = proposals.far(kPathLength), walk = make_walk_of(posterior_);
     const KernelSettings settings{.metric = metric_};
     const auto work = [&](std::size_t k) {

@@ -99,11 +99,15 @@ std::unique_ptr<Kernel> make_walk_of(const LogDensity& target) {
   return without_gradient(target, make_random_walk(), usual_refresh(has_jagged(target)));
 }
 
+Emulator for_proposals(const Emulator& emulator) {
+  return emulator.softened(emulator.is_cubic() ? 0.9 : 0.8);
+}
+
 std::unique_ptr<Kernel> make_emulated_kernel(const Emulator& emulator,
                                              const std::vector<Eigen::Index>& informed,
                                              const LogDensity& target, double path_length) {
   return std::make_unique<EmulatedKernel>(
-      emulator.softened(kSoftened), informed, target, [&](const EmulatedProposals& proposals) {
+      for_proposals(emulator), informed, target, [&](const EmulatedProposals& proposals) {
         return make_mixture(proposing(proposals, target, path_length), way_out_of(target),
                             has_jagged(target) ? kProposingIfJagged : kProposing);
       });

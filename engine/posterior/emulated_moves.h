@@ -46,8 +46,9 @@ std::unique_ptr<Kernel> make_walk_of(const LogDensity& target);
 /// Now and then from one side of an emulator that has sides to the other, else by the kernel.
 std::unique_ptr<Kernel> with_mirror_moves(std::unique_ptr<Kernel> kernel, Eigen::Index coordinate);
 
-/// Power of the emulated likelihood in proposals: from tails that are too heavy a way leads back.
-constexpr double kSoftened = 0.8;
+/// An emulator for proposals, its likelihood to a power below one: from tails that are too heavy a way leads
+/// back. The nearer it follows the renders, the less is needed.
+Emulator for_proposals(const Emulator& emulator);
 
 /// Many HMC transitions under the emulator, a little softened, propose, the target, evaluated once, takes or
 /// refuses (make_two_stage); and now and then a walk under the target itself, of all scales where it is

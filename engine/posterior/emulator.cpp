@@ -18,6 +18,25 @@ constexpr double kStep = 0.7;  // prior sds, of the step between two sides
 
 constexpr double kFollowed = 2;  // nats a coordinate above the best example
 
+// Of so few coordinates there are examples enough for all products of three.
+constexpr Eigen::Index kFew = 10;
+
+/// Monomials of the third degree.
+Eigen::Index cubes(Eigen::Index d) { return d > kFew ? d : d * (d + 1) * (d + 2) / 6; }
+
+/// Calls work(i, j, k) for w_i w_j w_k, each of these monomials.
+template <typename Work>
+void for_cubes(Eigen::Index d, Work&& work) {
+  for (Eigen::Index i = 0; i < d; ++i) {
+    if (d > kFew) {
+      work(i, i, i);
+      continue;
+    }
+    for (Eigen::Index j = 0; j <= i; ++j)
+      for (Eigen::Index k = 0; k <= j; ++k) work(i, j, k);
+  }
+}
+
 /// Of the squares that are made least, 1 on average: what lies a nat a coordinate deeper than the best counts
 /// a quarter. Examples reach further than the posterior, and polynomials cannot follow all of it.
 Eigen::VectorXd importance_of(const EmulatorExamples& examples) {
@@ -64,22 +83,26 @@ Emulator::Emulator(const EmulatorExamples& examples, const LogParameters& axes,
 }
 
 Eigen::Index Emulator::monomials(Eigen::Index dimension) {
-  return QuadraticFeatures(dimension, /*products=*/true).size() + dimension;
+  return QuadraticFeatures(dimension, /*products=*/true).size() + cubes(dimension);
 }
+
+bool Emulator::is_cubic() const { return dimension() <= kFew; }
 
 double Emulator::side(const Eigen::VectorXd& u) const { return sides_ ? std::tanh(u[*sides_] / kStep) : 0; }
 
 Eigen::VectorXd Emulator::features(const Eigen::VectorXd& w, double side) const {
   Eigen::VectorXd f(size());
-  f.head(monomials(w.size())) << quadratic().values(w), w.array().cube().matrix();
+  const QuadraticFeatures squares = quadratic();
+  f.head(squares.size()) = squares.values(w);
+  double* cube = f.data() + squares.size();
+  for_cubes(w.size(), [&](Eigen::Index i, Eigen::Index j, Eigen::Index k) { *cube++ = w[i] * w[j] * w[k]; });
   if (sides_) f.tail(1 + w.size()) << side, side * w;
   return f;
 }
 
 Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, double side, const Eigen::VectorXd& weights) const {
   const Eigen::Index d = w.size();
-  Eigen::VectorXd slope = weights.segment(1, d) + 2 * w.cwiseProduct(weights.segment(1 + d, d)) +
-                          3 * w.cwiseAbs2().cwiseProduct(weights.segment(monomials(d) - d, d));
+  Eigen::VectorXd slope = weights.segment(1, d) + 2 * w.cwiseProduct(weights.segment(1 + d, d));
   if (sides_) slope += side * weights.tail(d);
   Eigen::Index k = 1 + 2 * d;
   for (Eigen::Index i = 0; i < d; ++i)
@@ -87,6 +110,12 @@ Eigen::VectorXd Emulator::slope(const Eigen::VectorXd& w, double side, const Eig
       slope[i] += w[j] * weights[k];
       slope[j] += w[i] * weights[k];
     }
+  for_cubes(d, [&](Eigen::Index a, Eigen::Index b, Eigen::Index c) {
+    const double weight = weights[k++];
+    slope[a] += weight * w[b] * w[c];
+    slope[b] += weight * w[a] * w[c];
+    slope[c] += weight * w[a] * w[b];
+  });
   return slope;
 }
 

@@ -27,7 +27,7 @@ struct EmulatorExamples {
 /// that value and gradient take microseconds (Conrad, Marzouk, Pillai, Smith 2016, "Accelerating
 /// asymptotically exact MCMC for computationally intensive models via local approximations", whose model is
 /// refined where it is used, too). With w the parameters' logarithms, centred and whitened over the examples,
-/// and f(w) the monomials 1, w_i, w_i w_j and w_i^3,
+/// and f(w) the monomials 1, w_i, w_i w_j and w_i^3, of at most ten coordinates all w_i w_j w_k,
 ///   log p(u) = -|u|^2 / 2 - 1/2 |C^T f(w)|^2
 /// of which only C C^T is kept. Along a coordinate on both sides of whose middle the posterior has basins, f
 /// has s and s w_i, too, with s = tanh(u_j / 0.7) a step from one side to the other: what holds of one need
@@ -51,6 +51,7 @@ class Emulator final : public LogDensity {
 
   Eigen::Index dimension() const override { return centre_.size(); }
   std::optional<Eigen::Index> sides() const { return sides_; }
+  bool is_cubic() const;  ///< whether it has all products of three
   Evaluation evaluate(const Position& position) const override;
 
   /// With the likelihood to that power: below one its tails are heavier.

@@ -61,9 +61,10 @@ std::optional<AveragedEmulator> learn_average(const Posterior& rough, const Post
                                               const Metric& laplace, const std::vector<MapPoint>& basins,
                                               const RunSettings& settings, RunShared& shared);
 
-/// Iterations of warm-up that chains of an average have at most: its covariance is known, and each learns its
-/// step from dozens of transitions.
-constexpr int kAveragedWarmup = 30;
+/// Iterations of warm-up that chains have at most: of an average, whose covariance is known, for each learns
+/// its step from dozens of transitions; and of a smooth target whose renders are emulated (with 250 or 500 an
+/// emulator of bump_3 that is learnt again has as many of its proposals taken).
+constexpr int kAveragedWarmup = 30, kEmulatedWarmup = 250;
 
 /// An iteration of a chain.
 struct ChainIteration {

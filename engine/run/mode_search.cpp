@@ -24,14 +24,6 @@ MapSearchSettings local_search() {
   return settings;
 }
 
-/// An average is learnt about all matches that are about as good: of leather_4's ridge of height and power
-/// each search ended elsewhere, and a run drew from what lay about that end.
-MapSearchSettings search_before_average() {
-  MapSearchSettings settings;
-  settings.finalists = 3;
-  return settings;
-}
-
 void report(RunShared& shared, const Posterior& posterior, double fraction, const Position& best, double lp) {
   shared.edit_status([&](RunStatus& status) {
     status.search_fraction = fraction;
@@ -49,6 +41,12 @@ std::string basins_in_words(const std::vector<OptimizerResult>& basins) {
 }
 
 }  // namespace
+
+MapSearchSettings search_before_average() {
+  MapSearchSettings settings;
+  settings.finalists = 3;
+  return settings;
+}
 
 std::vector<int> pyramid(int resolution) {
   std::vector<int> levels;
@@ -101,7 +99,8 @@ ModeFound mode_of(const Posterior& posterior, const std::vector<OptimizerResult>
   const OptimizerResult& best = found.front();
   const ControlledDensity target(posterior, shared.control);
   return {{best.position, best.evaluation},
-          std::make_shared<const Metric>(laplace_covariance(target, best.position)),
+          std::make_shared<const Metric>(
+              laplace_covariance(target, best.position, hardware_threads(), [] { use_tensor_threads(1); })),
           basins_of(posterior, found)};
 }
 

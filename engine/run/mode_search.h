@@ -21,6 +21,10 @@ namespace patina {
 /// The same posterior from coarse to fine: 128, 256 ... pixels a side, then the resolution itself.
 std::vector<int> pyramid(int resolution);
 
+/// An average is learnt about all matches that are about as good: of leather_4's ridge of height and power
+/// each search ended elsewhere, and a run drew from what lay about that end.
+MapSearchSettings search_before_average();
+
 /// What the search hands to the chains.
 struct ModeFound {
   ChainState mode;

@@ -51,8 +51,8 @@ struct RunSettings {
   std::string metric = "curved";   ///< what warm-up learns of the covariance: see metric_in_use()
   std::string discrete = "joint";  ///< what a discrete move proposes: joint or single (kernels.h)
   int chains = 4;
-  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number. An average over
-  /// irregularities takes kAveragedWarmup at most: Manifest::warmup tells.
+  /// Warm-up iterations of each chain. Empty: usual_warmup(); run.json holds the number. With
+  /// emulated proposals kEmulatedWarmup, of an average kAveragedWarmup at most: Manifest::warmup tells.
   std::optional<int> warmup;
   int draws = 10000;   ///< per chain, after warm-up, at most: `stop` may end a run before
   double alpha = 0.8;  ///< probability of a continuous move, where there are discrete parameters

@@ -38,6 +38,11 @@ namespace {
 
 bool is_emulated(const ModeFound& found) { return found.emulator || found.average; }
 
+int warmup_in_use(int asked, const ModeFound& found, const Posterior& posterior) {
+  if (found.average) return std::min(asked, kAveragedWarmup);
+  return found.emulator && !has_jagged(posterior) ? std::min(asked, kEmulatedWarmup) : asked;
+}
+
 }  // namespace
 
 SamplerRun::SamplerRun(const RunSettings& settings, const Photo& photo,
@@ -146,7 +151,7 @@ void SamplerRun::run_to_the_end() {
                                 settings_.fixed, manifest_.photo_fit);
   manifest_.kernel = kernel_in_use(settings_, is_emulated(found));
   manifest_.errors = found.errors ? "calibrated" : found.wider ? "averaged" : "paper";
-  manifest_.warmup = found.average ? std::min(*settings_.warmup, kAveragedWarmup) : *settings_.warmup;
+  manifest_.warmup = warmup_in_use(*settings_.warmup, found, posterior());
   shared_.edit_status([&](RunStatus& status) {
     status.alarms = manifest_.alarms;
     status.errors = manifest_.errors;
@@ -248,12 +253,18 @@ void SamplerRun::keep(const MapPoint& best) {
   keep_next_ = now + kInterval;
 }
 
+RunSettings SamplerRun::as_drawn() const {
+  RunSettings settings = settings_;
+  settings.warmup = manifest_.warmup;
+  return settings;
+}
+
 bool SamplerRun::learn_again(ModeFound& found) {
   if (!found.emulator || found.has_learnt_again || *settings_.warmup == 0) return false;
   const Stopwatch stopwatch(manifest_.seconds.search);
   if (!found.known) found.known = learnt_about(found).known;
   found.emulator = emulator_of_warmup(posterior(), *found.known, found.mode, *found.laplace, directory_,
-                                      settings_, shared_);
+                                      as_drawn(), shared_);
   found.known.reset();
   found.has_learnt_again = true;
   keep(found);
@@ -270,9 +281,7 @@ void SamplerRun::sample(ModeFound found) {
     if (learn_again(found)) again = target.kernel();
     return again ? *again : *kernel;
   };
-  RunSettings drawing = settings_;
-  drawing.warmup = manifest_.warmup;
-  const ChainPlan plan{.settings = drawing,
+  const ChainPlan plan{.settings = as_drawn(),
                        .table = table_,
                        .target = target.density(),
                        .kernel = *kernel,

@@ -62,6 +62,7 @@ class SamplerRun final : public DrawSource {
 
   void sample(ModeFound found);
   Emulation learnt_about(const ModeFound& found);
+  RunSettings as_drawn() const;        ///< with the warm-up in use
   bool learn_again(ModeFound& found);  ///< from warm-up; whether there is anything to
   void conclude(RunPhase phase, const std::string& reason);
   std::string outcome() const;

@@ -5,6 +5,7 @@
 
 #include "engine/sampling/finite_evaluation.h"
 #include "engine/sampling/map_search.h"
+#include "engine/sampling/parallel_for.h"
 
 namespace patina {
 namespace {
@@ -55,20 +56,24 @@ Eigen::VectorXd jagged_column(const LogDensity& target, const Position& mode, co
 
 }  // namespace
 
-Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode) {
+Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode, int threads,
+                                   const std::function<void()>& enter_thread) {
   const Eigen::Index n = mode.continuous.size();
   const Evaluation at_mode = evaluate_finite(target, mode);
+  std::vector<bool> jagged = target.jagged();
+  jagged.resize(static_cast<std::size_t>(n));
   Eigen::MatrixXd hessian(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) hessian.col(i) = hessian_column(target, mode, at_mode, i);
-  const std::vector<bool> jagged = target.jagged();
-  for (std::size_t i = 0; i < jagged.size(); ++i) {
-    if (!jagged[i]) continue;
+  const auto work = [&](std::size_t i) {
     const auto k = static_cast<Eigen::Index>(i);
-    Eigen::VectorXd column = jagged_column(target, mode, at_mode, k);
-    for (std::size_t j = 0; j < jagged.size(); ++j)
-      if (jagged[j] && j != i) column[static_cast<Eigen::Index>(j)] = 0;
-    hessian.col(k) = column;
-    hessian.row(k) = column.transpose();
+    const auto& column = jagged[i] ? jagged_column : hessian_column;
+    hessian.col(k) = column(target, mode, at_mode, k);
+  };
+  parallel_for(jagged.size(), threads, work, enter_thread);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!jagged[static_cast<std::size_t>(i)]) continue;
+    for (Eigen::Index j = 0; j < n; ++j)
+      if (jagged[static_cast<std::size_t>(j)] && j != i) hessian(j, i) = 0;
+    hessian.row(i) = hessian.col(i).transpose();
   }
   const Eigen::MatrixXd curvature = -(hessian + hessian.transpose()) / 2;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(curvature);

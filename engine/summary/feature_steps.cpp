@@ -57,18 +57,31 @@ at::Tensor reflected(const at::Tensor& x, std::int64_t border) {
   return wider;
 }
 
+bool by_reflection(const FrozenConvolution& convolution) {
+  return convolution.reflect && convolution.border() > 0;
+}
+
+std::int64_t zeros_on_each_side(const FrozenConvolution& convolution) {
+  return by_reflection(convolution) ? 0 : convolution.border();
+}
+
+/// Of a map that has its border.
+at::Tensor rectified_convolution(const FrozenConvolution& convolution, const at::Tensor& x) {
+  if (convolution.packed) return convolution.packed->of(x);
+  at::Tensor y =
+      library_convolution(x, convolution.weight, convolution.bias, zeros_on_each_side(convolution));
+  return convolution.relu ? y.relu_() : y;
+}
+
 struct Convolve : torch::autograd::Function<Convolve> {
-  static at::Tensor forward(AutogradContext* context, const at::Tensor& map, const at::Tensor& weight,
-                            const at::Tensor& bias, const at::Tensor& mirrored, bool relu, bool reflect) {
+  static at::Tensor forward(AutogradContext* context, const at::Tensor& map,
+                            const FrozenConvolution& convolution) {
     const at::Tensor x = map.contiguous(kChannelsLast);
-    const std::int64_t border = weight.size(2) / 2;
-    const bool by_reflection = reflect && border > 0;
-    at::Tensor y = library_convolution(by_reflection ? reflected(x, border) : x, weight, bias,
-                                       by_reflection ? 0 : border);
-    if (relu) y.relu_();
-    y = y.contiguous(kChannelsLast);
-    context->save_for_backward({mirrored, relu ? y : at::Tensor()});
-    context->saved_data["border"] = by_reflection ? border : 0;
+    const bool wider = by_reflection(convolution);
+    const at::Tensor y = rectified_convolution(convolution, wider ? reflected(x, convolution.border()) : x)
+                             .contiguous(kChannelsLast);
+    context->save_for_backward({convolution.mirrored, convolution.relu ? y : at::Tensor()});
+    context->saved_data["border"] = wider ? convolution.border() : 0;
     return y;
   }
 
@@ -85,13 +98,13 @@ struct Convolve : torch::autograd::Function<Convolve> {
     const std::int64_t border = context->saved_data["border"].toInt(), reach = mirrored.size(2) / 2;
     // With padding the adjoint keeps the size; without, it gives back the border that the map lost.
     const at::Tensor by_input = library_convolution(gradient, mirrored, {}, border > 0 ? 2 * reach : reach);
-    if (border == 0) return {by_input, {}, {}, {}, {}, {}};
+    if (border == 0) return {by_input, {}};
     const at::Tensor by_map = empty_map(gradient, by_input.size(1), gradient.size(2), gradient.size(3));
     const at::Tensor dense = by_input.contiguous(kChannelsLast);
     each_image(dense, by_map, [&](const float* from, float* to) {
       features::reflect_backward(from, shape_of(by_map), border, to);
     });
-    return {by_map, {}, {}, {}, {}, {}};
+    return {by_map, {}};
   }
 };
 
@@ -118,17 +131,17 @@ struct AveragePool : torch::autograd::Function<AveragePool> {
 }  // namespace
 
 FrozenConvolution::FrozenConvolution(const at::Tensor& w, const at::Tensor& b, bool with_relu,
-                                     bool by_reflection, Precision precision)
+                                     bool with_reflection, Precision precision)
     : weight(w.to(scalar_type(precision))),
       bias(b.to(scalar_type(precision))),
       mirrored(weight.flip({2, 3}).transpose(0, 1).contiguous()),
       relu(with_relu),
-      reflect(by_reflection) {}
+      reflect(with_reflection),
+      packed(PackedConvolution::make(weight, bias, relu, zeros_on_each_side(*this))) {}
 
 at::Tensor convolve(const FrozenConvolution& convolution, const at::Tensor& x) {
   if (!x.is_cpu()) return convolve_by_library(convolution, x);
-  return Convolve::apply(x, convolution.weight, convolution.bias, convolution.mirrored, convolution.relu,
-                         convolution.reflect);
+  return Convolve::apply(x, convolution);
 }
 
 at::Tensor average_pool(const at::Tensor& x) {

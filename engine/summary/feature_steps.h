@@ -2,6 +2,10 @@
 
 #include <ATen/core/Tensor.h>
 
+#include <cstdint>
+#include <memory>
+
+#include "engine/summary/packed_convolution.h"
 #include "engine/summary/precision.h"
 
 namespace patina {
@@ -14,9 +18,12 @@ struct FrozenConvolution {
   at::Tensor mirrored;  ///< [in, out, k, k]: the convolution that takes gradients back
   bool relu = true;
   bool reflect = true;  ///< padding by reflection, not with zeros; either keeps the size
+  std::shared_ptr<const PackedConvolution> packed;  ///< ReLU included; none where there is none
 
   FrozenConvolution(const at::Tensor& weight, const at::Tensor& bias, bool relu, bool reflect,
                     Precision precision = Precision::float32);
+
+  std::int64_t border() const { return weight.size(2) / 2; }  ///< pixels of padding on each side
 };
 
 // The steps of a network on a feature map [k, channels, h, w] float32, channels last, of k images;

@@ -28,7 +28,7 @@ constexpr Eigen::Index kDimension = 3;
 Eigen::VectorXd residuals_at(const Eigen::VectorXd& u, bool cubic) {
   Eigen::VectorXd r(4);
   r << 2 * u[0] - u[1] + 0.3, u[0] * u[2] - 0.5 * u[1] * u[1], u[2] + 0.2 * u[1], 0.7;
-  if (cubic) r[3] += 0.1 * u[0] * u[0] * u[0];
+  if (cubic) r[3] += 0.1 * u[0] * u[0] * u[0] + 0.2 * u[0] * u[1] * u[2];
   return r;
 }
 
@@ -115,6 +115,32 @@ TEST_P(EmulatorOn, GradientEqualsCentralDifferences) {
       const double difference =
           (emulator.evaluate({up, {}}).log_density - emulator.evaluate({down, {}}).log_density) / (2 * kStep);
       EXPECT_NEAR(gradient[k], difference, 1e-5 * (1 + std::abs(difference)));
+    }
+  }
+}
+
+/// Of more coordinates than have all products of three.
+TEST(Emulator, OfManyCoordinatesHasCubesAndTheirGradient) {
+  constexpr Eigen::Index kMany = 11, kExamples = 400;
+  const auto residual = [](const Eigen::VectorXd& u) { return u[0] + 0.1 * u[10] * u[10] * u[10]; };
+  Rng rng(3);
+  Eigen::MatrixXd places(kMany, kExamples), residuals(1, kExamples);
+  for (Eigen::Index i = 0; i < kExamples; ++i) {
+    places.col(i) = rng.normals(kMany);
+    residuals(0, i) = residual(places.col(i));
+  }
+  const Emulator emulator({places, residuals.transpose() * residuals});
+  EXPECT_FALSE(emulator.is_cubic());
+  for (int i = 0; i < 10; ++i) {
+    constexpr double kStep = 1e-5;
+    const Eigen::VectorXd u = rng.normals(kMany);
+    const Evaluation here = emulator.evaluate({u, {}});
+    EXPECT_NEAR(here.log_density, -(u.squaredNorm() + std::pow(residual(u), 2)) / 2, 0.05);
+    for (const Eigen::Index k : {0, 10}) {
+      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(kMany, k);
+      const double rise =
+          emulator.evaluate({u + step, {}}).log_density - emulator.evaluate({u - step, {}}).log_density;
+      EXPECT_NEAR(here.gradient[k], rise / (2 * kStep), 1e-4 * (1 + std::abs(here.gradient[k])));
     }
   }
 }

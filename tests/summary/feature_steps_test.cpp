@@ -49,6 +49,22 @@ void expect_same_step(const Step& once, const Step& again, const at::Tensor& x, 
   EXPECT_LT(off.gradients, 1e-5) << what;
 }
 
+TEST(PackedConvolution, EqualsTheLibrarysOfMapsOfAnySizeAndThereIsNoneForBfloat16) {
+  const at::Tensor weight = random_tensor({5, 4, 3, 3}, 1), bias = random_tensor({5}, 2);
+  for (const bool relu : {true, false})
+    for (const std::int64_t padding : {0, 1}) {
+      const auto packed = PackedConvolution::make(weight, bias, relu, padding);
+      ASSERT_TRUE(packed);
+      for (const std::int64_t side : {5, 64, 70}) {
+        const at::Tensor x =
+            random_tensor({2, 4, side, side + 1}, 3).contiguous(at::MemoryFormat::ChannelsLast);
+        const at::Tensor y = at::conv2d(x, weight, bias, 1, padding), expected = relu ? y.relu() : y;
+        EXPECT_LT((packed->of(x) - expected).abs().max().item<double>(), 1e-5);
+      }
+    }
+  EXPECT_FALSE(PackedConvolution::make(weight.to(at::kBFloat16), bias.to(at::kBFloat16), true, 1));
+}
+
 TEST(FeatureSteps, AConvolutionEqualsTheLibrarysWithItsPaddingAndItsReluApart) {
   for (const std::int64_t kernel : {1, 3, 5})
     for (const auto& [rows, columns] : {std::pair<std::int64_t, std::int64_t>{6, 9}, {12, 12}, {64, 63}})
