@@ -8,17 +8,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <memory>
 #include <vector>
 
 #include "engine/allocator.h"
 #include "engine/diagnostics/convergence.h"
 #include "engine/diagnostics/reweighting.h"
 #include "engine/error.h"
-#include "engine/material/irregularities.h"
-#include "engine/posterior/irregularity_pool.h"
 #include "engine/posterior/posterior.h"
-#include "engine/posterior/simulate.h"
 #include "engine/posterior/wider_errors.h"
 #include "engine/run/manifest.h"
 #include "engine/run/mode_state.h"
@@ -28,7 +24,7 @@
 #include "engine/run/same_run.h"
 #include "engine/run/threads.h"
 #include "engine/sampling/parallel_for.h"
-#include "engine/sampling/prior_draw.h"
+#include "tests/bench/mean_of_renders.h"
 
 namespace patina {
 namespace {
@@ -41,57 +37,6 @@ std::vector<Draw> thinned(const std::filesystem::path& directory, std::size_t co
   for (std::size_t i = 0; i < count; ++i) kept.push_back(draws[i * draws.size() / count]);
   return kept;
 }
-
-/// Of the informed coordinates, by the mean of renders.
-class Mean {
- public:
-  Mean(const Posterior& posterior, std::size_t irregularities)
-      : posterior_(posterior),
-        informed_(posterior.informed()),
-        observed_(posterior.in_errors(posterior.photo_summary())) {
-    for (std::size_t k = 0; k < irregularities; ++k)
-      others_.push_back(posterior.with(std::make_shared<const Irregularities>(kSimulatedSeeds + kApart + k)));
-    for (std::size_t k = 0; k < irregularities; ++k)
-      levels_.push_back(levels_of(posterior, Irregularities(kSimulatedSeeds + kApart + k)));
-  }
-
-  struct Value {
-    double log_density = 0;
-    double by_chance = 0;       ///< half the difference of the halves of the irregularities
-    Eigen::RowVectorXd of_one;  ///< the log likelihood by each render alone
-  };
-  Value at(const Position& position, Rng& rng) const {
-    Eigen::MatrixXd summaries(observed_.size(), std::ssize(others_));
-    for (std::size_t k = 0; k < others_.size(); ++k) {
-      Position place = prior_draw(posterior_, rng);
-      place.continuous(informed_) = position.continuous(informed_);
-      place.discrete = levels_[k];
-      summaries.col(static_cast<Eigen::Index>(k)) = others_[k].predicted(place);
-    }
-    const double prior = -position.continuous(informed_).squaredNorm() / 2;
-    const Eigen::Index half = summaries.cols() / 2;
-    return {prior + log_likelihood(summaries),
-            (log_likelihood(summaries.leftCols(half)) - log_likelihood(summaries.rightCols(half))) / 2,
-            -(summaries.colwise() - observed_).colwise().squaredNorm() / 2};
-  }
-
- private:
-  static constexpr std::uint64_t kApart = 1'000'000;  // from what runs learn from
-
-  /// By the mean, less what the scatter of so few renders adds to its distance.
-  double log_likelihood(const Eigen::MatrixXd& summaries) const {
-    const Eigen::VectorXd mean = summaries.rowwise().mean();
-    const auto n = static_cast<double>(summaries.cols());
-    const double scatter = (summaries.colwise() - mean).squaredNorm() / (n - 1);
-    return -((mean - observed_).squaredNorm() - scatter / n) / 2;
-  }
-
-  const Posterior& posterior_;
-  std::vector<Eigen::Index> informed_;
-  Eigen::VectorXd observed_;
-  std::vector<Posterior> others_;
-  std::vector<Eigen::VectorXi> levels_;
-};
 
 /// Of what is left of a table without the means of its rows and columns.
 double interaction(Eigen::MatrixXd table) {
@@ -108,7 +53,7 @@ void report(const std::filesystem::path& directory, std::size_t count, std::size
   if (!found || !found->average) throw UserError("The run has no average over irregularities.");
   const Posterior posterior = by_hand.with(found->wider->of_the_photo());
   const std::vector<Eigen::Index> informed = posterior.informed();
-  const Mean mean(posterior, irregularities);
+  const MeanOfRenders mean(posterior, irregularities);
 
   const std::vector<Draw> draws = thinned(directory, count);
   const auto n = static_cast<Eigen::Index>(count);
@@ -125,7 +70,7 @@ void report(const std::filesystem::path& directory, std::size_t count, std::size
         const Eigen::VectorXd place = position.continuous(informed);
         const double others = (position.continuous.squaredNorm() - place.squaredNorm()) / 2;
         const double drawn_from = draws[i].lp + others;
-        const Mean::Value value = mean.at(position, rng);
+        const MeanOfRenders::Value value = mean.at(position, rng);
         const auto row = static_cast<Eigen::Index>(i);
         places.row(row) = place;
         log_ratio[row] = value.log_density - drawn_from;
