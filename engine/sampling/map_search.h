@@ -44,7 +44,8 @@ MapSearchResult search_map(const std::vector<const LogDensity*>& targets, Rng& r
 /// Laplace's approximation at a mode: the inverse of the negative Hessian (central differences of the
 /// gradient, symmetrised; along jagged coordinates wide differences of the value), eigenvalues of the Hessian
 /// floored at 0.25: a prior N(0, I) alone gives 1.
-/// @param threads  at a time; the result is the same   @param enter_thread  called first on each; may be empty
+/// @param threads  at a time; the result is the same   @param enter_thread  called first on each; may be
+/// empty
 Eigen::MatrixXd laplace_covariance(const LogDensity& target, const Position& mode, int threads = 1,
                                    const std::function<void()>& enter_thread = {});
 
